@@ -32,6 +32,8 @@ inline constexpr ErrorCode invalid_argument{101, "argument.invalid", Failure::op
 inline constexpr ErrorCode module_missing{102, "module.missing", Failure::operation};
 inline constexpr ErrorCode internal{103, "internal", Failure::operation};
 inline constexpr ErrorCode too_large{104, "argument.too_large", Failure::operation};
+inline constexpr ErrorCode file_unwritable{105, "file.unwritable", Failure::file};
+inline constexpr ErrorCode file_unreadable{106, "file.unreadable", Failure::file};
 }  // namespace errors
 
 /// One error: what happened, to which entities, where, and what to try.

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole files in and out. A file that is written is either complete under its name or not there at all.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace aresta {
+
+/// Puts `data` into the file `path`, through a temporary file beside it that takes its name in one step once all bytes
+/// are on the disk: after a failure (unknown folder, no permission, full disk) the old file is as it was and no
+/// temporary one is left. A link is followed; an existing file keeps its permissions; a device or pipe is written to
+/// directly. Error: file_unwritable, with the path and the system's reason.
+Status write_file(const std::string& path, std::string_view data);
+
+/// All bytes of a file. Error: file_unreadable, with the path and the system's reason (a folder is not a file).
+Result<std::string> read_file(const std::string& path);
+
+}  // namespace aresta

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/files.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace aresta {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Files : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) / ("aresta_files_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const char* name) const { return (folder_ / name).string(); }
+  long entries() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
+
+  fs::path folder_;
+};
+
+TEST_F(Files, WritesReadsAndReplaces) {
+  const std::string binary("a\0b\n\xff", 5);
+  ASSERT_TRUE(write_file(path("f"), binary));
+  EXPECT_EQ(*read_file(path("f")), binary);
+  ASSERT_TRUE(write_file(path("f"), "second"));
+  EXPECT_EQ(*read_file(path("f")), "second");
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(Files, FollowsALinkAndKeepsPermissions) {
+  ASSERT_TRUE(write_file(path("real"), "old"));
+  ASSERT_EQ(::chmod(path("real").c_str(), 0640), 0);
+  fs::create_symlink("real", folder_ / "link");
+  ASSERT_TRUE(write_file(path("link"), "new"));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(*read_file(path("real")), "new");
+  struct stat info {};
+  ASSERT_EQ(::stat(path("real").c_str(), &info), 0);
+  EXPECT_EQ(info.st_mode & 07777, 0640u);
+}
+
+TEST_F(Files, FailuresNameThePathAndLeaveNothing) {
+  const Status no_folder = write_file(path("none/f"), "x");
+  ASSERT_FALSE(no_folder.ok());
+  EXPECT_EQ(no_folder.error().code, errors::file_unwritable);
+  EXPECT_EQ(no_folder.error().code.failure, Failure::file);
+  EXPECT_NE(no_folder.error().message.find(path("none/f")), std::string::npos);
+
+  EXPECT_EQ(write_file(folder_.string(), "x").error().code, errors::file_unwritable);
+  EXPECT_EQ(write_file("/dev/full", "x").error().code, errors::file_unwritable);
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+  EXPECT_EQ(read_file(path("none")).error().code, errors::file_unreadable);
+  EXPECT_EQ(read_file(folder_.string()).error().code, errors::file_unreadable);
+  EXPECT_EQ(entries(), 0);
+}
+
+}  // namespace
+}  // namespace aresta
