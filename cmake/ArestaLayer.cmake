@@ -7,7 +7,9 @@ if(ARESTA_SANITIZE)
   target_compile_options(aresta_flags INTERFACE -fsanitize=${ARESTA_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(aresta_flags INTERFACE -fsanitize=${ARESTA_SANITIZE})
 endif()
-install(TARGETS aresta_flags EXPORT arestaTargets)
+
+# What a user of the program needs: the program and every module that it may load. Targets add themselves.
+add_custom_target(aresta_program)
 
 # aresta_layer(NAME [USES layers and libraries seen by users...] [PRIVATE libraries hidden inside...])
 function(aresta_layer name)
@@ -20,8 +22,15 @@ function(aresta_layer name)
   target_include_directories(aresta_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/aresta>)
   target_link_libraries(aresta_${name} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATE} aresta_flags)
+  set_property(GLOBAL APPEND PROPERTY aresta_public_libraries ${ARG_USES})
   install(TARGETS aresta_${name} EXPORT arestaTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/aresta FILES_MATCHING PATTERN "*.h")
+endfunction()
+
+# aresta_links_occt(TARGET libraries...): OCCT's libraries, hidden inside the target, its headers free of our warnings.
+function(aresta_links_occt target)
+  target_include_directories(${target} SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_DIR})
+  target_link_libraries(${target} PRIVATE ${ARGN})
 endfunction()
 
 # aresta_module(NAME SOURCES... PRIVATE libraries): loaded at run time, when used; see base/module.h.
@@ -31,6 +40,7 @@ function(aresta_module name)
   set_target_properties(aresta_${name} PROPERTIES INSTALL_RPATH "$ORIGIN/..")
   target_link_libraries(aresta_${name} PRIVATE ${ARG_PRIVATE} aresta_flags)
   set_target_properties(aresta_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/modules)
+  add_dependencies(aresta_program aresta_${name})
   install(TARGETS aresta_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/aresta)
 endfunction()
 
@@ -43,4 +53,14 @@ function(aresta_tests name)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(test_${name} PRIVATE ARESTA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 120)
+endfunction()
+
+# aresta_topics(): each tests/full/TOPIC.sh is test full.TOPIC, at about a hundredth of the size of `./test --full TOPIC`.
+function(aresta_topics)
+  file(GLOB scripts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/full/*.sh)
+  foreach(script IN LISTS scripts)
+    get_filename_component(topic ${script} NAME_WE)
+    add_test(NAME full.${topic} COMMAND sh ${PROJECT_SOURCE_DIR}/scripts/run-topic.sh ${topic} quick)
+    set_tests_properties(full.${topic} PROPERTIES ENVIRONMENT BUILD=${PROJECT_BINARY_DIR} SKIP_RETURN_CODE 77 LABELS full)
+  endforeach()
 endfunction()
