@@ -24,10 +24,10 @@ struct FacePatch {
   FaceId face;
   std::array<RegionId, 2> regions;  ///< on the front and back side of the face; an invalid id for outside space
   std::vector<Vec3> points;
-  std::vector<Vec3> normals;        ///< unit, one per point, along the face's normal; empty: use the triangles' own
+  std::vector<Vec3> normals;  ///< unit, one per point, along the face's normal; empty: use the triangles' own
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from the face's front side
   Color color{170, 190, 215, 255};
-  std::string name;                 ///< shown when picked; may be empty
+  std::string name;  ///< shown when picked; may be empty
 };
 
 /// One edge as a polyline; its inner points are points of the patches of the faces that it bounds.
@@ -56,7 +56,7 @@ struct Scene {
   std::string title;
   std::vector<FacePatch> faces;
   std::vector<EdgeLine> edges;
-  std::vector<PointMark> points;      ///< isolated vertices only
+  std::vector<PointMark> points;  ///< isolated vertices only
   std::vector<RegionInfo> regions;
 
   Box3 bounds() const;

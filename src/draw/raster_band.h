@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Internal to draw: some rows of samples of a picture, and what is seen at each.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "draw/screen_scene.h"
+
+namespace aresta::draw {
+
+class RasterBand {
+ public:
+  static constexpr std::uint32_t nothing = 0xffffffffu;
+
+  /// Sample rows [first, first + rows) of a picture `width` samples wide. `tie`: depths nearer than this are one.
+  RasterBand(int width, int first, int rows, double tie, bool perspective);
+
+  /// Fills what is nearest.
+  void add_opaque(const ScreenTriangle& t, std::uint32_t index);
+  /// Keeps every layer; call sort_layers() when all are in.
+  void add_transparent(const ScreenTriangle& t, std::uint32_t index);
+  void sort_layers();
+  /// A stroke where its middle line is not farther than the faces by more than `bias`; after all opaque triangles.
+  void add_line(const ScreenLine& line, std::uint32_t index, double bias);
+
+  struct Layer {
+    std::uint32_t sample, triangle;
+    float depth;
+  };
+
+  int width() const { return width_; }
+  int first() const { return first_; }
+  std::size_t at(int x, int y) const { return std::size_t(y - first_) * width_ + x; }
+  double depth(std::size_t sample) const { return depth_[sample]; }
+  std::uint32_t triangle(std::size_t sample) const { return triangle_[sample]; }
+  std::uint32_t line(std::size_t sample) const { return line_[sample]; }
+  double line_depth(std::size_t sample) const { return line_depth_[sample]; }
+  /// Layers of a sample, farthest first: [begin, end) of layers().
+  const std::vector<Layer>& layers() const { return layers_; }
+
+ private:
+  template <class Visit>
+  void scan(const ScreenTriangle& t, const Visit& visit) const;
+  bool line_is_seen(double x, double y, double depth) const;
+  void stroke(const ScreenLine& line, std::uint32_t index, double from, double to);
+  double depth_along(const ScreenLine& line, double t) const;
+
+  int width_, first_, rows_;
+  double tie_;
+  bool perspective_;
+  std::vector<double> depth_;
+  std::vector<std::uint32_t> triangle_;
+  std::vector<float> line_depth_;
+  std::vector<std::uint32_t> line_;
+  std::vector<Layer> layers_;
+};
+
+}  // namespace aresta::draw

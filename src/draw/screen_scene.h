@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Internal to draw: a scene projected to the screen, for the rasterizer.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "draw/view.h"
+
+namespace aresta::draw {
+
+/// A triangle on the screen: sample x, sample y, depth; cut at the near plane in perspective.
+struct ScreenTriangle {
+  std::array<Vec3, 3> p;
+  std::uint32_t patch = 0, triangle = 0;
+};
+
+/// A stroke or, when both ends are one, a dot.
+struct ScreenLine {
+  Vec3 a, b;  ///< sample x, sample y, depth
+  double radius = 0;
+  Color color;
+};
+
+struct ScreenScene {
+  std::vector<ScreenTriangle> triangles;
+  std::vector<ScreenLine> lines;
+};
+
+/// The nearest depth that is drawn in perspective.
+double near_depth(const View& view);
+
+/// `samples`: screen units a pixel.
+ScreenScene project(const View& view, const Projector& projector, int samples, bool faces, bool edges,
+                    double edge_radius, double point_radius);
+
+}  // namespace aresta::draw
