@@ -56,6 +56,10 @@ class ModelBuilder {
 
   std::size_t face_count() const { return face_geometry_.size(); }
 
+  /// The radial order, when the caller knows it (one entry per coedge added, in that order); find_cells finds it
+  /// itself.
+  void set_radial_order(std::vector<std::uint32_t> radial_next) { incidence_.radial_next = std::move(radial_next); }
+
   /// The cells of all faces added. Errors: bad_incidence, ambiguous_radial_order, nesting_failed, cancelled.
   Result<Cells> find_cells(const Context& context);
 

@@ -122,6 +122,8 @@ class Model {
   /// The model's own: points closer than this are one. The larger of 1e-9 of the box's diagonal and what was asked for.
   double tolerance() const { return tolerance_; }
 
+  const Curve& curve(CurveId c) const { return curves_[c.index()]; }
+  const Surface& surface(SurfaceId s) const { return surfaces_[s.index()]; }
   std::size_t curve_count() const { return curves_.size(); }
   std::size_t surface_count() const { return surfaces_.size(); }
   /// Straight edges and plane faces only?
