@@ -44,14 +44,13 @@ function(aresta_module name)
   install(TARGETS aresta_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/aresta)
 endfunction()
 
-# aresta_tests(NAME USES...): all *.cpp of this folder in one test program, found by CTest one by one.
+# aresta_tests(NAME USES...): all *.cpp of this folder in one test program, found by CTest one by one. Paths to files are
+# in tests/support/paths.h.
 function(aresta_tests name)
   cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_executable(test_${name} ${sources})
-  target_link_libraries(test_${name} PRIVATE ${ARG_USES} aresta_flags GTest::gtest_main)
-  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  target_compile_definitions(test_${name} PRIVATE ARESTA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(test_${name} PRIVATE ${ARG_USES} test_support aresta_flags GTest::gtest_main)
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 120)
 endfunction()
 
