@@ -24,6 +24,11 @@ if [ -z "${CCACHE_DIR:-}" ] && ! mkdir -p "${HOME:-/nonexistent}/.cache/ccache" 
   export CCACHE_DIR="$BUILD/ccache"
 fi
 
+# Read by sanitized builds alone, already while building (the tests are asked for their names). OCCT keeps its singletons
+# until the end of the process, so leaks are not asked for.
+export ASAN_OPTIONS="${ASAN_OPTIONS:-detect_leaks=0:strict_string_checks=1:detect_stack_use_after_return=1}"
+export UBSAN_OPTIONS="${UBSAN_OPTIONS:-print_stacktrace=1:suppressions=$source/cmake/ubsan.supp}"
+
 # quietly LOG COMMAND...: runs the command with its output in a log, of which the end is shown on failure.
 quietly() {
   log=$1
