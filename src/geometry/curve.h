@@ -59,12 +59,13 @@ class Curve {
 
   Curve(Form form) : form_(std::move(form)) {}
   template <class T>
-    requires std::constructible_from<Form, T>
-  Curve(T form) : form_(std::move(form)) {}
+  requires std::constructible_from<Form, T> Curve(T form) : form_(std::move(form)) {}
 
   const Form& form() const { return form_; }
   template <class T>
-  const T* get_if() const { return std::get_if<T>(&form_); }
+  const T* get_if() const {
+    return std::get_if<T>(&form_);
+  }
   bool is_line() const { return get_if<Line>() != nullptr; }
   const char* kind() const;  ///< "line", "circle", "ellipse", "nurbs", ...
 
@@ -75,25 +76,31 @@ class Curve {
   /// Where the curve is defined; infinite for a line.
   Range domain() const;
 
-  /// Nearest point of the piece `range`; ends included. Exact for analytic forms, to 1e-12 of the curve's size otherwise.
+  /// Nearest point of the piece `range`; ends included. Exact for analytic forms, to 1e-12 of the curve's size
+  /// otherwise.
   CurveProjection project(Vec3 p, Range range) const;
   /// Contains the piece `range`; tight for analytic forms.
   Box3 bounds(Range range) const;
   /// Length of the piece: closed form or adaptive quadrature to `relative` error.
   double length(Range range, double relative = 1e-12) const;
 
-  /// The curve moved by a similarity; parameters scale for lines (t -> t * factor), else stay. A FreeCurve takes any
-  /// affine map; an analytic form under a map that is no similarity becomes a FreeCurve with the same parameters where
-  /// the form allows, else an error (geometry.transform).
+  /// The curve moved by `t`; the parameter of an old point is multiplied by parameter_factor(t). Every form takes any
+  /// similarity; a line and a NURBS take any affine map, a circle and an ellipse those that leave x and y at right
+  /// angles and x the longer. Others, and maps that flatten the curve, are errors (geometry.transform).
   Result<Curve> transformed(const Transform& t) const;
-  /// Exact NURBS form of the piece `range`; its parameters are its own.
+  /// The stretch of a line's direction (and of a parabola's), else 1.
+  double parameter_factor(const Transform& t) const;
+  /// Exact NURBS form of the piece `range`, which must be finite; its parameters are its own (for arcs they agree at
+  /// the knots). An offset has no exact form and is approximated to 1e-9 of its size. Degree 0 and no poles when there
+  /// is none.
   NurbsCurveData to_nurbs(Range range) const;
 
  private:
   Form form_;
 };
 
-/// Are these the same point set near each other, within `tolerance` over `range` of `a`? `same_direction` gets the sense.
+/// Are these the same point set near each other, within `tolerance` over `range` of `a`? `same_direction` gets the
+/// sense.
 bool coincident(const Curve& a, Range range, const Curve& b, double tolerance, bool* same_direction = nullptr);
 
 }  // namespace aresta

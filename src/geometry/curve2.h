@@ -29,16 +29,20 @@ class Curve2 {
 
   Curve2(Form form) : form_(std::move(form)) {}
   template <class T>
-    requires std::constructible_from<Form, T>
-  Curve2(T form) : form_(std::move(form)) {}
+  requires std::constructible_from<Form, T> Curve2(T form) : form_(std::move(form)) {}
 
   const Form& form() const { return form_; }
   template <class T>
-  const T* get_if() const { return std::get_if<T>(&form_); }
+  const T* get_if() const {
+    return std::get_if<T>(&form_);
+  }
 
   Vec2 point(double t) const;
   Curve2Jet jet(double t) const;
   Range domain() const;
+  /// 0 when not periodic.
+  double period() const;
+  const char* kind() const;  ///< "line", "circle", "ellipse", "nurbs", ...
 
  private:
   Form form_;

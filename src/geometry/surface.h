@@ -72,14 +72,16 @@ class Surface {
 
   Surface(Form form) : form_(std::move(form)) {}
   template <class T>
-    requires std::constructible_from<Form, T>
-  Surface(T form) : form_(std::move(form)) {}
+  requires std::constructible_from<Form, T> Surface(T form) : form_(std::move(form)) {}
 
   const Form& form() const { return form_; }
   template <class T>
-  const T* get_if() const { return std::get_if<T>(&form_); }
+  const T* get_if() const {
+    return std::get_if<T>(&form_);
+  }
   bool is_plane() const { return get_if<Plane>() != nullptr; }
-  const char* kind() const;  ///< "plane", "cylinder", "cone", "sphere", "torus", "nurbs", "revolution", "extrusion", ...
+  const char* kind()
+      const;  ///< "plane", "cylinder", "cone", "sphere", "torus", "nurbs", "revolution", "extrusion", ...
 
   Vec3 point(Vec2 uv) const;
   SurfaceJet jet(Vec2 uv) const;
@@ -96,20 +98,23 @@ class Surface {
   /// Contains the piece; tight for analytic forms.
   Box3 bounds(const Range2& piece) const;
 
-  /// All transversal and tangential meetings of the line with the whole surface, by growing t. Closed forms and polished
-  /// roots for analytic forms; sampled, then Newton for free-form ones (within `near`, which must be finite for them).
+  /// All transversal and tangential meetings of the line with the whole surface, by growing t. Closed forms and
+  /// polished roots for analytic forms; sampled, then Newton for free-form ones (within `near`, which must be finite
+  /// for them).
   std::vector<LineHit> intersect(const Line& line, const Range2& near) const;
 
-  /// As Curve::transformed. `uv_scale` gets the factor by which u and v parameters of old points are multiplied.
+  /// As Curve::transformed. `uv_scale` gets the factor by which u and v parameters of old points are multiplied. A
+  /// mirror makes the frame left-handed: the natural normal is du x dv after as before.
   Result<Surface> transformed(const Transform& t, Vec2* uv_scale = nullptr) const;
+  /// Exact NURBS form of the piece, which must be finite; see Curve::to_nurbs.
   NurbsSurfaceData to_nurbs(const Range2& piece) const;
 
  private:
   Form form_;
 };
 
-/// Are these the same infinite surface (plane, cylinder, ...) within `tolerance` over the piece of `a`? Says also whether
-/// the natural normals agree. Free-form surfaces by sampling.
+/// Are these the same infinite surface (plane, cylinder, ...) within `tolerance` over the piece of `a`? Says also
+/// whether the natural normals agree. Free-form surfaces by sampling.
 bool coincident(const Surface& a, const Range2& piece, const Surface& b, double tolerance, bool* same_normal = nullptr);
 
 }  // namespace aresta
