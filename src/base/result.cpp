@@ -18,7 +18,8 @@ std::string place_text(const std::array<double, 3>& place) {
 }  // namespace
 
 std::string Error::to_line() const {
-  std::string line = std::string(code.name) + ": " + message;
+  std::string line = location.empty() ? std::string() : location + ": ";
+  line += std::string(code.name) + ": " + message;
   std::string where;
   for (std::size_t i = 0; i < entities.size() && i < max_entities_shown; ++i) {
     if (!where.empty()) where += ", ";

@@ -43,8 +43,9 @@ struct Error {
   std::vector<EntityRef> entities = {};
   std::optional<std::array<double, 3>> place = {};
   std::string hint = {};
+  std::string location = {};  ///< the place in a script, "FILE:LINE:COLUMN"
 
-  /// One line for a person: "code: message (face 7, edge 12; at 1 2 3); try: hint".
+  /// One line for a person: "FILE:LINE:COLUMN: code: message (face 7, edge 12; at 1 2 3); try: hint".
   std::string to_line() const;
 };
 
