@@ -76,7 +76,7 @@ void append_repr(std::string& out, const Value& value, Digits digits, std::size_
       break;
     }
     case Value::Kind::range: {
-      const Range& r = value.range();
+      const IntegerRange& r = value.range();
       out += "range(" + std::to_string(r.start) + ", " + std::to_string(r.stop);
       if (r.step != 1) out += ", " + std::to_string(r.step);
       out += ")";
@@ -126,7 +126,7 @@ bool equal_to_depth(const Value& a, const Value& b, int depth) {
 
 }  // namespace
 
-std::uint64_t Range::size() const {
+std::uint64_t IntegerRange::size() const {
   if (step > 0) {
     if (start >= stop) return 0;
     const std::uint64_t span = static_cast<std::uint64_t>(stop) - static_cast<std::uint64_t>(start);

@@ -29,7 +29,7 @@ class Shape {
 using ShapePtr = std::shared_ptr<const Shape>;
 
 /// The numbers start, start + step, ... before stop; step is not 0.
-struct Range {
+struct IntegerRange {
   std::int64_t start = 0, stop = 0, step = 1;
   std::uint64_t size() const;
   std::int64_t at(std::uint64_t i) const {
@@ -67,7 +67,7 @@ class Value {
   Value(std::string text) : state_(std::make_shared<const std::string>(std::move(text))) {}
   Value(std::shared_ptr<List> list) : state_(std::move(list)) {}
   Value(std::shared_ptr<const Tuple> tuple) : state_(std::move(tuple)) {}
-  Value(const Range& range) : state_(std::make_shared<const Range>(range)) {}
+  Value(const IntegerRange& range) : state_(std::make_shared<const IntegerRange>(range)) {}
   Value(ShapePtr shape) : state_(std::move(shape)) {}
   explicit Value(const Command* command) : state_(command) {}
   static Value list(std::vector<Value> items) { return std::make_shared<List>(std::move(items)); }
@@ -87,7 +87,7 @@ class Value {
   double real() const { return *std::get_if<double>(&state_); }
   const std::string& string() const { return **std::get_if<std::shared_ptr<const std::string>>(&state_); }
   const std::shared_ptr<List>& list_pointer() const { return *std::get_if<std::shared_ptr<List>>(&state_); }
-  const Range& range() const { return **std::get_if<std::shared_ptr<const Range>>(&state_); }
+  const IntegerRange& range() const { return **std::get_if<std::shared_ptr<const IntegerRange>>(&state_); }
   const ShapePtr& shape() const { return *std::get_if<ShapePtr>(&state_); }
   const Command* command() const { return *std::get_if<const Command*>(&state_); }
   /// The number as a double; asks for is_number().
@@ -99,7 +99,7 @@ class Value {
 
  private:
   std::variant<std::monostate, bool, std::int64_t, double, std::shared_ptr<const std::string>, std::shared_ptr<List>,
-               std::shared_ptr<const Tuple>, std::shared_ptr<const Range>, ShapePtr, const Command*>
+               std::shared_ptr<const Tuple>, std::shared_ptr<const IntegerRange>, ShapePtr, const Command*>
       state_;
 };
 

@@ -91,16 +91,16 @@ struct Stmt {
   StmtKind kind = StmtKind::pass;
   Place place;
   Op op = Op::add;
-  std::vector<ExprPtr> targets;
-  ExprPtr value;
-  ExprPtr message;
-  std::vector<Branch> branches;
-  Block body, orelse;
+  std::vector<ExprPtr> targets = {};
+  ExprPtr value = {};
+  ExprPtr message = {};
+  std::vector<Branch> branches = {};
+  Block body = {}, orelse = {};
 };
 
 struct Script {
   std::string file;
-  Block body;
+  Block body = {};
 };
 
 /// Parses a script; names have no slots yet. Errors are located: script.syntax, script.unsupported, script.too_deep...

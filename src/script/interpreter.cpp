@@ -205,7 +205,7 @@ Status Interpreter::for_each(const Value& iterable, Place place, Body&& body) {
   bool stop = false;
   switch (iterable.kind()) {
     case Kind::range: {
-      const document::Range r = iterable.range();
+      const document::IntegerRange r = iterable.range();
       const std::uint64_t n = r.size();
       for (std::uint64_t i = 0; i < n && !stop; ++i) {
         ARESTA_CHECK(interrupted(place));
@@ -238,14 +238,15 @@ Status Interpreter::run_for(const Stmt& s, Flow& flow) {
   Value iterable;
   ARESTA_CHECK(eval(*s.value, iterable));
   bool broken = false;
-  ARESTA_CHECK(for_each(iterable, s.value->place, [&](const Value& item, bool& stop) -> Status {
+  Status done = for_each(iterable, s.value->place, [&](const Value& item, bool& stop) -> Status {
     ARESTA_CHECK(assign(*s.targets[0], item));
     Flow inner = Flow::normal;
     ARESTA_CHECK(run_block(s.body, inner));
     stop = broken = inner == Flow::broken;
     return {};
-  }));
-  return broken ? Status{} : run_block(s.orelse, flow);
+  });
+  if (!done || broken) return done;
+  return run_block(s.orelse, flow);
 }
 
 Status Interpreter::run_while(const Stmt& s, Flow& flow) {

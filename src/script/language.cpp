@@ -45,8 +45,8 @@ Result<Value> range(Call& call) {
   for (const Value& v : call.items("numbers")) n.push_back(v.is(Kind::integer) ? v.integer() : static_cast<std::int64_t>(v.real()));
   if (n.empty() || n.size() > 3) return Error{errors::script_type, "range takes one to three whole numbers: range(stop), range(start, stop), range(start, stop, step)"};
   if (n.size() == 3 && n[2] == 0) return Error{errors::script_value, "the step of a range cannot be 0"};
-  if (n.size() == 1) return Value(document::Range{0, n[0], 1});
-  return Value(document::Range{n[0], n[1], n.size() == 3 ? n[2] : 1});
+  if (n.size() == 1) return Value(document::IntegerRange{0, n[0], 1});
+  return Value(document::IntegerRange{n[0], n[1], n.size() == 3 ? n[2] : 1});
 }
 
 Result<Value> sum(Call& call) {

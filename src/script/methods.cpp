@@ -229,7 +229,7 @@ Result<std::string> format(const Value& value, std::string_view spec) {
 
   std::string text;
   const bool number = value.is_number() || value.is(Kind::boolean);
-  const auto real = [&] { return value.is(Kind::boolean) ? double{value.boolean()} : value.number(); };
+  const auto real = [&] { return value.is(Kind::boolean) ? (value.boolean() ? 1.0 : 0.0) : value.number(); };
   if (type == 'd') {
     if (!value.is(Kind::integer) && !value.is(Kind::boolean)) {
       return Error{errors::script_type, "the format 'd' takes a whole number, not " + document::given_text(value)};

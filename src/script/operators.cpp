@@ -8,7 +8,7 @@
 
 namespace aresta::script {
 
-using document::Range;
+using document::IntegerRange;
 using document::Session;
 using document::Value;
 using Kind = Value::Kind;
@@ -213,7 +213,7 @@ Status contains(const Value& needle, const Value& container, bool& out) {
       out = container.string().find(needle.string()) != std::string::npos;
       return {};
     case Kind::range: {
-      const Range& r = container.range();
+      const IntegerRange& r = container.range();
       out = false;
       if (!numeric(needle)) return {};
       const double d = as_real(needle);

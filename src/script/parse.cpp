@@ -746,6 +746,9 @@ class Parser {
       }
       if (end >= raw.size()) return fail_at(t.place, errors::script_syntax, "a '{' in this formatted string is never closed");
       const std::size_t stop = colon == std::string::npos ? end : colon;
+      if (raw.find_first_not_of(" \t\r\n", i + 1) >= stop) {
+        return fail_at(t.place, errors::script_syntax, "nothing stands between '{' and '}' in this formatted string");
+      }
       Place place = t.place;
       for (std::size_t k = 0; k <= i; ++k) {
         if (raw[k] == '\n') place = {place.line + 1, 1};

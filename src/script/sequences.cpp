@@ -7,7 +7,7 @@
 
 namespace aresta::script {
 
-using document::Range;
+using document::IntegerRange;
 using document::Value;
 using Kind = Value::Kind;
 
@@ -66,7 +66,7 @@ Result<std::vector<Value>> items_of(const Value& v) {
     case Kind::list:
     case Kind::tuple: return v.items();
     case Kind::range: {
-      const Range& r = v.range();
+      const IntegerRange& r = v.range();
       const std::uint64_t n = r.size();
       if (n > max_items) return Error{errors::script_too_large, "a range of " + std::to_string(n) + " numbers is too long for a list"};
       out.reserve(n);
@@ -149,14 +149,14 @@ Status slice(const Value& container, const Value& start, const Value& stop, cons
   };
   from = place(from);
   to = place(to);
-  const Range r{from, to, s};
+  const IntegerRange r{from, to, s};
   const std::uint64_t count = r.size();
   if (container.is(Kind::range)) {
-    const Range& whole = container.range();
+    const IntegerRange& whole = container.range();
     std::int64_t step_of_both = 0;
     if (__builtin_mul_overflow(whole.step, s, &step_of_both)) step_of_both = whole.step > 0 ? INT64_MAX : INT64_MIN;
     const auto at = [&](std::int64_t i) { return whole.at(static_cast<std::uint64_t>(i)); };
-    out = count == 0 ? Range{whole.start, whole.start, 1} : Range{at(from), at(to), step_of_both};
+    out = count == 0 ? IntegerRange{whole.start, whole.start, 1} : IntegerRange{at(from), at(to), step_of_both};
     return {};
   }
   if (container.is(Kind::string)) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 
 #include "script/errors.h"
 #include "script/token.h"
@@ -351,6 +350,10 @@ class Tokenizer {
 };
 
 }  // namespace
+
+Result<std::vector<Token>> tokenize(std::string_view text, const std::string& file, Place start) {
+  return Tokenizer(text, file, start).run();
+}
 
 Error located(Error error, const std::string& file, Place place) {
   if (error.location.empty()) {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a script and gives what it printed, or the error's line.
+#pragma once
+
+#include <string>
+
+#include "script/interpreter.h"
+
+namespace aresta::script {
+
+inline const document::Registry& language() {
+  static const document::Registry registry = [] {
+    document::Registry r;
+    register_language(r);
+    return r;
+  }();
+  return registry;
+}
+
+struct Ran {
+  std::string printed;
+  std::string error;  ///< empty when all went well
+};
+
+inline Ran run_text(const std::string& text, document::Digits digits = document::Digits::shortest,
+                    const std::atomic<bool>* cancel = nullptr) {
+  Ran ran;
+  document::Session session;
+  session.registry = &language();
+  session.digits = digits;
+  session.context.cancel = cancel;
+  session.print = [&ran](const std::string& s) -> Status {
+    ran.printed += s;
+    return {};
+  };
+  Interpreter interpreter(session);
+  const Status status = interpreter.run(text, "t.ars");
+  if (!status) ran.error = status.error().to_line();
+  return ran;
+}
+
+}  // namespace aresta::script
