@@ -115,7 +115,7 @@ bool equal_to_depth(const Value& a, const Value& b, int depth) {
       return true;
     }
     case Kind::range: {
-      const Range &r = a.range(), &s = b.range();
+      const IntegerRange &r = a.range(), &s = b.range();
       const std::uint64_t n = r.size();
       return n == s.size() && (n == 0 || (r.start == s.start && (n == 1 || r.step == s.step)));
     }
