@@ -185,8 +185,10 @@ std::vector<DrawnLine> silhouettes(const Scene& scene, const TriangleSoup& soup,
             [](const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.triangle < b.triangle; });
   // A triangle without area has no normal of its own: it belongs to its neighbour over its longest side.
   for (const Sliver& sliver : slivers) {
-    auto side = std::lower_bound(sides.begin(), sides.end(), sliver.longest, [](const Side& a, SideKey k) { return a.key < k; });
-    const auto last = std::upper_bound(side, sides.end(), sliver.longest, [](SideKey k, const Side& a) { return k < a.key; });
+    auto side = std::lower_bound(sides.begin(), sides.end(), sliver.longest,
+                                 [](const Side& a, SideKey k) { return a.key < k; });
+    const auto last =
+        std::upper_bound(side, sides.end(), sliver.longest, [](SideKey k, const Side& a) { return k < a.key; });
     const auto own = std::find_if(side, last, [&](const Side& a) { return a.triangle == sliver.triangle; });
     for (; side != last; ++side) {
       if (side->triangle == sliver.triangle || soup.patch[side->triangle] != soup.patch[sliver.triangle]) continue;
