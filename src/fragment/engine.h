@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a fragment engine does: imprint all operands on one another. Regions and labels are found above it, once for
+// all.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "base/context.h"
+#include "model/builder.h"
+
+namespace aresta {
+
+/// All vertices, edges and faces of the operands, split so that they meet only in shared entities of lower dimension,
+/// each stored once. Loose and dangling edges and points inside a face are loops of that face. No cells, no fill.
+struct Imprint {
+  ModelBuilder builder;
+  /// Per vertex, edge and face of the builder: the operands' entities it is a piece or an intersection of (sorted). An
+  /// entity of the same dimension is its ancestor; those of higher dimension are what created it.
+  std::vector<std::vector<Parent>> vertex_parents, edge_parents, face_parents;
+};
+
+class FragmentEngine {
+ public:
+  virtual ~FragmentEngine() = default;
+  virtual const char* name() const = 0;
+  /// At least two operands. `tolerance` is absolute; 0 asks for the operands' own.
+  virtual Result<Imprint> imprint(std::span<const std::shared_ptr<const Model>> operands, double tolerance,
+                                  const Context& context) const = 0;
+};
+
+/// The general fuse of OCCT: any mix of dimensions, plane or curved.
+const FragmentEngine& occt_engine();
+
+}  // namespace aresta
