@@ -36,6 +36,13 @@ double Curve2::period() const {
   return free_form::period(*get_if<FreeCurve2>());
 }
 
+Curve2 Curve2::translated(Vec2 by) const {
+  if (by == Vec2{}) return *this;
+  if (const auto* line = get_if<Line2>()) return Line2{line->origin + by, line->direction};
+  if (const auto* c = get_if<Ellipse2>()) return Ellipse2{c->origin + by, c->x, c->y, c->major, c->minor};
+  return free_form::translated(*get_if<FreeCurve2>(), by);
+}
+
 const char* Curve2::kind() const {
   if (get_if<Line2>() != nullptr) return "line";
   if (const auto* c = get_if<Ellipse2>()) return c->major == c->minor ? "circle" : "ellipse";

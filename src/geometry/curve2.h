@@ -43,6 +43,8 @@ class Curve2 {
   /// 0 when not periodic.
   double period() const;
   const char* kind() const;  ///< "line", "circle", "ellipse", "nurbs", ...
+  /// The curve moved by a vector, as an image continued in another period of its surface.
+  Curve2 translated(Vec2 by) const;
 
  private:
   Form form_;

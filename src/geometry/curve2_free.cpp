@@ -57,6 +57,12 @@ Curve2Jet jet(const FreeCurve2& c, double t) {
       Curve2Jet{nowhere2, nowhere2, nowhere2});
 }
 
+FreeCurve2 translated(const FreeCurve2& c, Vec2 by) {
+  auto moved = std::make_shared<OcctCurve2>();
+  moved->curve = Handle(Geom2d_Curve)::DownCast(of(c)->Translated(gp_Vec2d(by.x, by.y)));
+  return FreeCurve2(std::move(moved));
+}
+
 double period(const FreeCurve2& c) {
   return guarded([&] { return of(c)->IsPeriodic() ? of(c)->Period() : 0.0; }, 0.0);
 }

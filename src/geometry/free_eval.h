@@ -25,6 +25,7 @@ std::vector<double> smooth_breaks(const FreeCurve& c, Range range);
 
 Vec2 point(const FreeCurve2& c, double t);
 Curve2Jet jet(const FreeCurve2& c, double t);
+FreeCurve2 translated(const FreeCurve2& c, Vec2 by);
 double period(const FreeCurve2& c);
 Range domain(const FreeCurve2& c);
 const char* kind(const FreeCurve2& c);

@@ -2,6 +2,8 @@
 #include "model/extract.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include "base/union_find.h"
 
@@ -20,8 +22,12 @@ class Extractor {
     ARESTA_CHECK(merge_cells());
     copy_vertices();
     ARESTA_CHECK(copy_edges());
+    std::vector<std::vector<FaceId>> parts(k_.face_count());
     for (const FaceId f : k_.faces()) {
-      if (keep_.faces[f.index()]) ARESTA_CHECK(copy_face(f));
+      if (keep_.faces[f.index()]) parts[class_of(f).index()].push_back(f);
+    }
+    for (const auto& faces : parts) {
+      if (!faces.empty()) ARESTA_CHECK(copy_face(faces));
     }
     restrict_radial_order();
     builder_.length_unit = source_.length_unit;
@@ -69,41 +75,79 @@ class Extractor {
     new_edge_.assign(k_.edge_count(), EdgeId());
     new_curve_.assign(source_.curve_count(), CurveId());
     for (const EdgeId e : k_.edges()) {
-      if (!keep_.edges[e.index()]) continue;
-      const VertexId a = new_vertex_[k_.start(e).index()], b = new_vertex_[k_.end(e).index()];
+      if (!keep_.edges[e.index()] || new_edge_[e.index()].valid()) continue;
+      VertexId first = k_.start(e), last = k_.end(e);
+      EdgeGeometry g = source_.geometry(e);
+      if (const auto* chain = chain_of(e)) {
+        first = chain->front().reversed ? k_.end(chain->front().edge) : k_.start(chain->front().edge);
+        last = chain->back().reversed ? k_.start(chain->back().edge) : k_.end(chain->back().edge);
+        g = geometry_of(*chain, first, last);
+      }
+      const VertexId a = new_vertex_[first.index()], b = new_vertex_[last.index()];
       if (!a.valid() || !b.valid()) return Error{errors::bad_incidence, "an edge is kept without its vertices", {e}};
-      const EdgeGeometry& g = source_.geometry(e);
       CurveId curve;
       if (g.curve.valid()) {
         CurveId& mapped = new_curve_[g.curve.index()];
         if (!mapped.valid()) mapped = builder_.add_curve(source_.curve(g.curve));
         curve = mapped;
       }
-      new_edge_[e.index()] = builder_.add_edge(a, b, curve, g.range, g.tolerance);
+      const EdgeId made = builder_.add_edge(a, b, curve, g.range, g.tolerance);
       from_.edges.push_back(e);
+      new_edge_[e.index()] = made;
+      if (const auto* chain = chain_of(e)) {
+        for (const Merging::Link& link : *chain) new_edge_[link.edge.index()] = made;
+      }
     }
     return {};
   }
 
-  Status copy_face(FaceId f) {
+  FaceId class_of(FaceId f) const { return merging_ == nullptr ? f : merging_->face_class[f.index()]; }
+
+  const std::vector<Merging::Link>* chain_of(EdgeId e) const {
+    if (merging_ == nullptr || merging_->chain_of[e.index()] == none) return nullptr;
+    return &merging_->chains[merging_->chain_of[e.index()]];
+  }
+
+  EdgeGeometry geometry_of(const std::vector<Merging::Link>& chain, VertexId first, VertexId last) const {
+    EdgeGeometry g = source_.geometry(chain.front().edge);
+    for (const Merging::Link& link : chain) g.tolerance = std::max(g.tolerance, source_.tolerance(link.edge));
+    if (source_.is_straight(chain.front().edge)) {
+      g.curve = CurveId();
+      g.range = {0, distance(source_.point(first), source_.point(last))};
+    } else {
+      g.range = {source_.range(chain.front().edge).low, source_.range(chain.back().edge).high};
+    }
+    return g;
+  }
+
+  /// The face of a class of faces (of one face, when nothing is merged).
+  Status copy_face(const std::vector<FaceId>& faces) {
     if (new_surface_.empty()) new_surface_.assign(source_.surface_count(), SurfaceId());
+    const FaceId f = faces.front();
     const FaceGeometry& g = source_.geometry(f);
     SurfaceId& surface = new_surface_[g.surface.index()];
     if (!surface.valid()) surface = builder_.add_surface(source_.surface(g.surface));
-    builder_.begin_face(surface, g.reversed, g.tolerance);
+    double tolerance = 0;
+    for (const FaceId part : faces) tolerance = std::max(tolerance, source_.tolerance(part));
+    builder_.begin_face(surface, g.reversed, tolerance);
     builder_.set_constraint(keep_.constraint[f.index()]);
     from_.faces.push_back(f);
 
-    std::vector<VertexId> alone;  // vertices of dropped inner edges
+    std::vector<VertexId> alone;  // vertices of dropped edges, and points
+    std::vector<CoedgeId> uses;
     bool all_kept = true;
-    for (const LoopId l : k_.loops(f)) {
-      for (const CoedgeId c : k_.coedges(l)) {
-        if (keep_.edges[k_.edge(c).index()]) continue;
-        all_kept = false;
-        if (!is_inner_edge(source_, k_.edge(c), f)) {
-          return Error{errors::bad_incidence, "a face is kept without an edge that bounds it", {f, k_.edge(c)}};
+    for (const FaceId part : faces) {
+      for (const LoopId l : k_.loops(part)) {
+        if (k_.is_vertex_loop(l)) alone.push_back(k_.loop_vertex(l));
+        for (const CoedgeId c : k_.coedges(l)) {
+          uses.push_back(c);
+          if (keep_.edges[k_.edge(c).index()]) continue;
+          all_kept = false;
+          const bool bounds = merging_ == nullptr ? !is_inner_edge(source_, k_.edge(c), f) : other_use(c) == c;
+          if (bounds)
+            return Error{errors::bad_incidence, "a face is kept without an edge that bounds it", {f, k_.edge(c)}};
+          alone.push_back(k_.start(c));
         }
-        alone.push_back(k_.start(c));
       }
     }
     std::vector<VertexId> in_loops;
@@ -113,10 +157,7 @@ class Extractor {
         if (!k_.is_vertex_loop(l)) builder_.close_loop();
       }
     } else {
-      trace_loops(f, in_loops);
-    }
-    for (const LoopId l : k_.loops(f)) {
-      if (k_.is_vertex_loop(l)) alone.push_back(k_.loop_vertex(l));
+      trace_loops(uses, in_loops);
     }
     std::sort(alone.begin(), alone.end());
     alone.erase(std::unique(alone.begin(), alone.end()), alone.end());
@@ -129,21 +170,12 @@ class Extractor {
     return {};
   }
 
-  /// The loops of kept coedges: where a dropped inner edge leaves the loop, its other use leads back to the face's
-  /// boundary.
-  void trace_loops(FaceId f, std::vector<VertexId>& in_loops) {
-    std::vector<CoedgeId> order;
-    for (const LoopId l : k_.loops(f)) {
-      for (const CoedgeId c : k_.coedges(l)) order.push_back(c);
-    }
-    std::vector<bool> done(order.size(), false);
-    const auto position = [&](CoedgeId c) {
-      return static_cast<std::size_t>(std::find(order.begin(), order.end(), c) - order.begin());
-    };
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (done[i] || !keep_.edges[k_.edge(order[i]).index()]) continue;
-      for (CoedgeId c = order[i]; !done[position(c)]; c = next_kept(c, f)) {
-        done[position(c)] = true;
+  /// The loops of kept coedges: where a dropped edge leaves the loop, its other use leads on along the boundary.
+  void trace_loops(const std::vector<CoedgeId>& uses, std::vector<VertexId>& in_loops) {
+    for (const CoedgeId first : uses) {
+      if (traced_[first.index()] || !keep_.edges[k_.edge(first).index()]) continue;
+      for (CoedgeId c = first; !traced_[c.index()]; c = next_kept(c)) {
+        traced_[c.index()] = true;
         in_loops.push_back(k_.start(c));
         copy_coedge(c);
       }
@@ -152,37 +184,69 @@ class Extractor {
     std::sort(in_loops.begin(), in_loops.end());
   }
 
-  CoedgeId next_kept(CoedgeId c, FaceId f) const {
+  CoedgeId next_kept(CoedgeId c) const {
     CoedgeId n = k_.next(c);
-    while (!keep_.edges[k_.edge(n).index()]) n = k_.next(other_use(n, f));
+    while (!keep_.edges[k_.edge(n).index()]) n = k_.next(other_use(n));
     return n;
   }
 
-  CoedgeId other_use(CoedgeId c, FaceId f) const {
+  /// The use of c's edge on its other side in the same face or class of faces; c itself when there is none.
+  CoedgeId other_use(CoedgeId c) const {
+    const FaceId f = class_of(k_.face(c));
     for (CoedgeId d = k_.radial(c); d != c; d = k_.radial(d)) {
-      if (k_.face(d) == f) return d;
+      if (class_of(k_.face(d)) == f && k_.reversed(d) != k_.reversed(c)) return d;
     }
     return c;
   }
 
   void copy_coedge(CoedgeId c) {
+    bool reversed = k_.reversed(c);
+    if (const auto* chain = chain_of(k_.edge(c))) {
+      const auto link =
+          std::find_if(chain->begin(), chain->end(), [&](const Merging::Link& l) { return l.edge == k_.edge(c); });
+      reversed = reversed != link->reversed;
+      const EdgeId first = reversed ? chain->back().edge : chain->front().edge;
+      if (k_.edge(c) != first) return;  // the chain was copied with its first link
+    }
     const EdgeId e = new_edge_[k_.edge(c).index()];
     if (const Curve2* image = source_.pcurve(c)) {
-      builder_.add_coedge(e, k_.reversed(c), *image);
+      builder_.add_coedge(e, reversed,
+                          merging_ == nullptr ? *image : image->translated(merging_->shift[k_.face(c).index()]));
     } else {
-      builder_.add_coedge(e, k_.reversed(c));
+      builder_.add_coedge(e, reversed);
     }
     coedges_.push_back(c);
   }
 
   void restrict_radial_order() {
+    // The first use of a chain differs from face to face; every link of a chain has the same faces around it in the
+    // same order, so each coedge stands for the chain's use by its face and side.
+    std::map<std::array<std::uint32_t, 3>, std::uint32_t> index;  // edge of the result, class of faces, against it?
+    const auto key = [&](CoedgeId c) {
+      bool reversed = k_.reversed(c);
+      if (const auto* chain = chain_of(k_.edge(c))) {
+        reversed = reversed != std::find_if(chain->begin(), chain->end(), [&](const Merging::Link& l) {
+                                 return l.edge == k_.edge(c);
+                               })->reversed;
+      }
+      return std::array<std::uint32_t, 3>{new_edge_[k_.edge(c).index()].value, class_of(k_.face(c)).value,
+                                          reversed ? 1u : 0u};
+    };
     std::vector<std::uint32_t> new_index(k_.coedge_count(), none);
-    for (std::uint32_t i = 0; i < coedges_.size(); ++i) new_index[coedges_[i].index()] = i;
+    for (std::uint32_t i = 0; i < coedges_.size(); ++i) {
+      new_index[coedges_[i].index()] = i;
+      if (chain_of(k_.edge(coedges_[i])) != nullptr) index[key(coedges_[i])] = i;
+    }
+    const auto position = [&](CoedgeId c) {
+      if (chain_of(k_.edge(c)) == nullptr) return new_index[c.index()];
+      const auto found = index.find(key(c));
+      return found == index.end() ? none : found->second;
+    };
     std::vector<std::uint32_t> radial(coedges_.size());
     for (std::uint32_t i = 0; i < coedges_.size(); ++i) {
       CoedgeId c = k_.radial(coedges_[i]);
-      while (new_index[c.index()] == none) c = k_.radial(c);
-      radial[i] = new_index[c.index()];
+      while (position(c) == none) c = k_.radial(c);
+      radial[i] = position(c);
     }
     builder_.set_radial_order(std::move(radial));
   }
@@ -218,6 +282,8 @@ class Extractor {
   const Model& source_;
   const Complex& k_;
   const Selection& keep_;
+  const Merging* merging_;
+  std::vector<bool> traced_ = std::vector<bool>(k_.coedge_count(), false);
   ModelBuilder builder_;
   ExtractionMap from_;
   std::vector<std::uint32_t> cell_;  // per region of the source
