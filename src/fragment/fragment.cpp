@@ -166,6 +166,22 @@ std::vector<bool> filled_cells(const Fragment& result, const std::vector<std::ve
   return filled;
 }
 
+/// A piece of a constraint stays one, unless it is also a piece of a plain wall.
+void mark_constraints(Imprint& imprint, const Fragment& result) {
+  for (std::uint32_t f = 0; f < imprint.face_parents.size(); ++f) {
+    bool constraint = false, wall = false;
+    for (const Parent& p : imprint.face_parents[f]) {
+      if (p.entity.kind != EntityKind::face) continue;
+      const Model& operand = *result.operands[p.source];
+      const FaceId g{p.entity.index};
+      const RegionId front = operand.topology().region(FaceUse(g, 0)), back = operand.topology().region(FaceUse(g, 1));
+      const bool bounds = front != back && (operand.is_region(front) || operand.is_region(back));
+      (operand.is_constraint(g) ? constraint : wall) |= operand.is_constraint(g) || bounds;
+    }
+    imprint.builder.set_constraint(FaceId(f), constraint && !wall);
+  }
+}
+
 double perimeter(const Model& model, FaceId f) {
   double sum = 0;
   for (const LoopId l : model.topology().loops(f)) {
@@ -325,6 +341,7 @@ Result<Fragment> fragment(std::vector<std::shared_ptr<const Model>> operands, co
   fill_piece_table(result, {&imprint->vertex_parents, &imprint->edge_parents, &imprint->face_parents});
   ARESTA_CHECK(check_conservation(result, context));
 
+  mark_constraints(*imprint, result);
   imprint->builder.provenance = make_provenance(result, *imprint);
   ARESTA_TRY(Model filled,
              imprint->builder.build(cells, filled_cells(result, imprint->face_parents, options.detect_regions)));

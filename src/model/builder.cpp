@@ -82,6 +82,10 @@ void ModelBuilder::set_constraint(bool constraint) {
   face_geometry_.back().constraint = constraint;
 }
 
+void ModelBuilder::set_constraint(FaceId face, bool constraint) {
+  face_geometry_[face.index()].constraint = constraint;
+}
+
 Result<Model> ModelBuilder::build(const Cells& cells, const std::vector<bool>& filled) {
   incidence_.region_count = cells.count;
   incidence_.region_filled = filled;

@@ -48,6 +48,7 @@ class ModelBuilder {
   /// For the face begun or ended last: what lies on its front and back side, and whether it is a constraint.
   void set_fill(Fill front, Fill back);
   void set_constraint(bool constraint);
+  void set_constraint(FaceId face, bool constraint);
 
   Labels labels;
   std::shared_ptr<const Provenance> provenance;
