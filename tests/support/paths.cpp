@@ -26,7 +26,7 @@ fs::path program() {
 }
 
 fs::path output_folder(const std::string& name) {
-  const fs::path folder = fs::path(ARESTA_BUILD_FOLDER) / "out/tests" / name;
+  fs::path folder = fs::path(ARESTA_BUILD_FOLDER) / "out/tests" / name;
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;
