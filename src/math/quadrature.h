@@ -94,7 +94,7 @@ Interval<Value> gauss_kronrod(F& f, double low, double high) {
   double error = difference;
   if (size > 0 && difference > 0) error = size * std::min(1.0, std::pow(200 * difference / size, 1.5));
   error = std::max(error, 4 * std::numeric_limits<double>::epsilon() * size);
-  if (std::isnan(difference)) error = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(difference)) error = std::numeric_limits<double>::infinity();
   return {low, high, error, size, fine};
 }
 
@@ -124,7 +124,7 @@ auto integrate(F&& f, double a, double b, const QuadratureOptions& options) {
     // Rounding noise alone sums to a few ulps of the size; nothing smaller can be asked for.
     return std::max({options.absolute, options.relative * size, 8 * std::numeric_limits<double>::epsilon() * size});
   };
-  while (!(error <= tolerance()) && heap.size() < static_cast<std::size_t>(options.max_intervals)) {
+  while (std::isfinite(size) && !(error <= tolerance()) && heap.size() < static_cast<std::size_t>(options.max_intervals)) {
     std::pop_heap(heap.begin(), heap.end(), by_error);
     const auto worst = heap.back();
     const double middle = 0.5 * (worst.low + worst.high);
@@ -147,7 +147,7 @@ auto integrate(F&& f, double a, double b, const QuadratureOptions& options) {
             [](const auto& x, const auto& y) { return std::abs(x.error) < std::abs(y.error); });
   for (const auto& i : heap) detail::add_scaled(result.value, 1.0, i.value);
   result.error = error;
-  result.converged = error <= tolerance();
+  result.converged = std::isfinite(size) && error <= tolerance();
   return result;
 }
 

@@ -32,7 +32,8 @@ double evaluate_polynomial(std::span<const double> c, double x, double* error = 
 /// its bracket; a root of the derivative where the value is below its rounding error is a multiple root.
 RealRoots polynomial_roots(std::span<const double> c);
 
-/// a x^2 + b x + c: no cancellation in the discriminant (fused multiply-add) nor in the roots.
+/// a x^2 + b x + c: no cancellation in the discriminant (fused multiply-add) nor in the roots. A discriminant that the
+/// rounding of the coefficients alone could have made counts as zero.
 RealRoots quadratic_roots(double a, double b, double c);
 
 /// A root of f in [low, high], where f changes sign (a zero end is returned); to the last bit or two. Brent's method
