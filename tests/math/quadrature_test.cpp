@@ -33,11 +33,7 @@ TEST(Quadrature, ReversedAndEmptyIntervals) {
 }
 
 TEST(Quadrature, ArraysShareTheirPoints) {
-  const auto r = integrate(
-      [](double x) {
-        return std::array<double, 3>{1, x, std::cos(x)};
-      },
-      0, 2, 1e-13);
+  const auto r = integrate([](double x) { return std::array<double, 3>{1, x, std::cos(x)}; }, 0, 2, 1e-13);
   EXPECT_NEAR(r.value[0], 2, 1e-15);
   EXPECT_NEAR(r.value[1], 2, 1e-15);
   EXPECT_NEAR(r.value[2], std::sin(2), 1e-15);

@@ -10,7 +10,9 @@
 namespace aresta {
 namespace {
 
-RealRoots roots(std::vector<double> c) { return polynomial_roots(c); }
+RealRoots roots(std::vector<double> c) {
+  return polynomial_roots(c);
+}
 
 /// Coefficients of lead * product of (x - r).
 std::vector<double> from_roots(const std::vector<double>& r, double lead = 1) {
@@ -31,7 +33,8 @@ TEST(Quadratic, LosesNothingToCancellation) {
 }
 
 TEST(Quadratic, NearbyRootsKeepTheirDistance) {
-  // (x - 1)(x - 1 - 2^-23): exact coefficients; a rounded discriminant would get the distance wrong in its second digit.
+  // (x - 1)(x - 1 - 2^-23): exact coefficients; a rounded discriminant would get the distance wrong in its second
+  // digit.
   const double gap = std::ldexp(1.0, -23);
   const RealRoots r = quadratic_roots(1, -2 - gap, 1 + gap);
   ASSERT_EQ(r.count, 2);
