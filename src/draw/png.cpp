@@ -39,7 +39,7 @@ Status check_options(const RenderOptions& o) {
 
 class Renderer {
  public:
-  Renderer(const View& view, const RenderOptions& options)
+  Renderer(const View& view, const RenderOptions& options, const std::vector<DrawnLine>& lines)
       : view_(view),
         options_(options),
         projector_(view.camera, view.viewport),
@@ -49,8 +49,8 @@ class Renderer {
         samples_(options.supersampling) {
     const double edge = options.edge_width > 0 ? options.edge_width : std::max(1.2, std::max(width_, height_) / 750.0);
     const double point = options.point_size > 0 ? options.point_size : 5 * edge;
-    screen_ = project(view, projector_, samples_, options.faces && options.opacity > 0, options.edges,
-                      0.5 * edge * samples_, 0.5 * point * samples_);
+    screen_ = project(view, projector_, samples_, options.faces && options.opacity > 0, lines, 0.5 * edge * samples_,
+                      0.5 * point * samples_);
     diagonal_ = view.scene.bounds().diagonal();
     // Alpha of colours or of the whole makes a face let light through.
     const FaceColors colors(view.scene, options.coloring);
@@ -148,6 +148,20 @@ class Renderer {
     return shader_.at(t.patch, t.triangle, sample / samples_, depth);
   }
 
+  /// Shades of the triangles of one pixel: each is computed once, where it is met first.
+  struct ShadeCache {
+    std::array<std::pair<std::uint32_t, Shade>, 32> entries;
+    int count = 0;
+  };
+  Shade cached_shade(ShadeCache& cache, std::uint32_t triangle, Vec2 sample, double depth) const {
+    for (int i = 0; i < cache.count; ++i) {
+      if (cache.entries[i].first == triangle) return cache.entries[i].second;
+    }
+    const Shade s = shade(triangle, sample, depth);
+    if (cache.count < int(cache.entries.size())) cache.entries[cache.count++] = {triangle, s};
+    return s;
+  }
+
   /// The colour of pixel x, y from its samples. Samples of one triangle are shaded once, at their mean.
   void resolve(const RasterBand& raster, int x, int y) {
     const std::size_t pixel = std::size_t(y) * width_ + x;
@@ -160,6 +174,7 @@ class Renderer {
       int count;
     };
     std::array<Group, 64> groups;
+    ShadeCache shades;
     int n = 0;
     for (int sy = y * samples_; sy < (y + 1) * samples_; ++sy) {
       for (int sx = x * samples_; sx < (x + 1) * samples_; ++sx) {
@@ -172,9 +187,10 @@ class Renderer {
           if (line != RasterBand::nothing) {
             color = to_rgb(screen_.lines[line].color), a = 1, depth = raster.line_depth(s) - bias(screen_.lines[line]);
           } else if (triangle != RasterBand::nothing) {
-            color = shade(triangle, {sx + 0.5, sy + 0.5}, raster.depth(s)).color, a = 1, depth = raster.depth(s);
+            color = cached_shade(shades, triangle, {sx + 0.5, sy + 0.5}, raster.depth(s)).color, a = 1,
+            depth = raster.depth(s);
           }
-          blend_layers(raster, s, sx, sy, depth, color, a);
+          blend_layers(raster, s, sx, sy, depth, color, a, shades);
           rest = rest + part * color;
           alpha += part * a;
         } else if (line != RasterBand::nothing) {
@@ -215,13 +231,13 @@ class Renderer {
 
   /// Lays the transparent layers of a sample that are nearer than `depth` over the colour, the farthest first.
   void blend_layers(const RasterBand& raster, std::size_t sample, int sx, int sy, double depth, Rgb& color,
-                    float& alpha) const {
+                    float& alpha, ShadeCache& shades) const {
     const auto& layers = raster.layers();
     auto layer = std::lower_bound(layers.begin(), layers.end(), sample,
                                   [](const RasterBand::Layer& a, std::size_t s) { return a.sample < s; });
     for (; layer != layers.end() && layer->sample == sample; ++layer) {
       if (layer->depth > depth) continue;
-      const Shade s = shade(layer->triangle, {sx + 0.5, sy + 0.5}, layer->depth);
+      const Shade s = cached_shade(shades, layer->triangle, {sx + 0.5, sy + 0.5}, layer->depth);
       const float a = s.alpha * float(options_.opacity);
       color = (1 - a) * color + a * s.color;
       alpha = alpha + a * (1 - alpha);
@@ -256,7 +272,12 @@ class Renderer {
 Result<Image> render_image(const Scene& scene, const RenderOptions& options, const Context& context) {
   ARESTA_CHECK(check_options(options));
   ARESTA_TRY(const View view, prepare_view(scene, options.view));
-  return Renderer(view, options).run(context);
+  std::vector<DrawnLine> lines;
+  if (options.edges) {
+    const bool silhouettes = options.silhouettes && options.faces;
+    ARESTA_TRY(lines, drawn_lines(view.scene, view.camera, silhouettes, context));
+  }
+  return Renderer(view, options, lines).run(context);
 }
 
 Status render_png(const Scene& scene, const RenderOptions& options, const std::string& path, const Context& context) {

@@ -32,11 +32,12 @@ struct RenderOptions {
   Color background{255, 255, 255, 255};
   bool faces = true;
   bool edges = true;
-  bool obscurance = true;  ///< soft darkening of corners; opaque pictures only
-  double opacity = 1;      ///< of faces, 0 to 1; multiplies the colours' own alpha
-  double edge_width = 0;   ///< pixels; 0: a 750th of the picture's longer side, at least 1.2
-  double point_size = 0;   ///< pixels across; 0: five times the edges' width
-  int supersampling = 4;   ///< samples a pixel along each axis, 1 to 8
+  bool silhouettes = true;  ///< outlines of curved faces; with edges only
+  bool obscurance = true;   ///< soft darkening of corners; opaque pictures only
+  double opacity = 1;       ///< of faces, 0 to 1; multiplies the colours' own alpha
+  double edge_width = 0;    ///< pixels; 0: a 750th of the picture's longer side, at least 1.2
+  double point_size = 0;    ///< pixels across; 0: five times the edges' width
+  int supersampling = 4;    ///< samples a pixel along each axis, 1 to 8
 };
 
 /// Errors: those of prepare_view(); invalid_argument (opacity, widths, supersampling); cancelled.

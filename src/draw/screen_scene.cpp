@@ -7,8 +7,8 @@ double near_depth(const View& view) {
   return 1e-4 * distance(view.camera.eye, view.camera.target);
 }
 
-ScreenScene project(const View& view, const Projector& projector, int samples, bool faces, bool edges,
-                    double edge_radius, double point_radius) {
+ScreenScene project(const View& view, const Projector& projector, int samples, bool faces,
+                    const std::vector<DrawnLine>& lines, double edge_radius, double point_radius) {
   const bool clips = projector.perspective();
   const double near = near_depth(view);
   const auto screen = [&](Vec3 v) {
@@ -40,16 +40,14 @@ ScreenScene project(const View& view, const Projector& projector, int samples, b
     }
   }
 
-  const auto add_line = [&](Vec3 a, Vec3 b, Color color) {
-    if (clips && a.z < near && b.z < near) return;
-    if (clips && a.z < near) a = at_near(a, b);
-    if (clips && b.z < near) b = at_near(b, a);
-    result.lines.push_back({screen(a), screen(b), edge_radius, color});
-  };
-  for (const EdgeLine& edge : view.scene.edges) {
-    if (!edges || edge.smooth) continue;
-    for (std::size_t i = 1; i < edge.points.size(); ++i) {
-      add_line(projector.to_view(edge.points[i - 1]), projector.to_view(edge.points[i]), edge.color);
+  for (const DrawnLine& line : lines) {
+    const double radius = line.kind == LineKind::silhouette ? 0.75 * edge_radius : edge_radius;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      Vec3 a = projector.to_view(line.points[i - 1]), b = projector.to_view(line.points[i]);
+      if (clips && a.z < near && b.z < near) continue;
+      if (clips && a.z < near) a = at_near(a, b);
+      if (clips && b.z < near) b = at_near(b, a);
+      result.lines.push_back({screen(a), screen(b), radius, line.color});
     }
   }
   for (const PointMark& mark : view.scene.points) {

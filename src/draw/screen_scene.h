@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "draw/hidden_lines.h"
 #include "draw/view.h"
 
 namespace aresta::draw {
@@ -31,8 +32,8 @@ struct ScreenScene {
 /// The nearest depth that is drawn in perspective.
 double near_depth(const View& view);
 
-/// `samples`: screen units a pixel.
-ScreenScene project(const View& view, const Projector& projector, int samples, bool faces, bool edges,
-                    double edge_radius, double point_radius);
+/// `samples`: screen units a pixel; radii in screen units.
+ScreenScene project(const View& view, const Projector& projector, int samples, bool faces,
+                    const std::vector<DrawnLine>& lines, double edge_radius, double point_radius);
 
 }  // namespace aresta::draw
