@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A finite element mesh as plain arrays: what meshers make, solvers read and viewers draw. Knows nothing of models.
 //
-// Nodes are shared by everything that touches there: one interface has one set of nodes, whatever the number of regions.
-// Indices are zero-based here; the writers of file formats add one where their format wants it.
+// Nodes are shared by everything that touches there: one interface has one set of nodes, whatever the number of
+// regions. Indices are zero-based here; the writers of file formats add one where their format wants it.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,19 @@ namespace aresta {
 
 /// Node order of every type is that of VTK (quadratic: corners first, then mid-edge nodes).
 enum class ElementType : std::uint8_t {
-  point1, line2, line3, triangle3, triangle6, quad4, quad8, tetra4, tetra10, wedge6, wedge15, hexa8, hexa20
+  point1,
+  line2,
+  line3,
+  triangle3,
+  triangle6,
+  quad4,
+  quad8,
+  tetra4,
+  tetra10,
+  wedge6,
+  wedge15,
+  hexa8,
+  hexa20
 };
 
 int node_count(ElementType type);
@@ -28,8 +40,8 @@ int dimension(ElementType type);
 /// All elements of one type that lie on one entity of the model.
 struct ElementBlock {
   ElementType type = ElementType::tetra4;
-  EntityRef entity;                 ///< the model's entity these elements discretise
-  std::vector<std::uint32_t> nodes; ///< node_count(type) per element; triangles are oriented as their face
+  EntityRef entity;                  ///< the model's entity these elements discretise
+  std::vector<std::uint32_t> nodes;  ///< node_count(type) per element; triangles are oriented as their face
   std::size_t size() const { return nodes.size() / static_cast<std::size_t>(node_count(type)); }
 };
 

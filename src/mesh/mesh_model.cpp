@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh/mesh_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mesh/errors.h"
+#include "mesh/linear_mesh.h"
+#include "mesh/quality.h"
+
+namespace aresta {
+
+namespace mesh {
+
+namespace {
+
+constexpr int attempts = 6;
+
+class Mesher {
+ public:
+  Mesher(const Model& model, MeshOptions options, const Context& context)
+      : model_(model), topology_(model.topology()), options_(std::move(options)), context_(context) {}
+
+  Result<Mesh> run() {
+    ARESTA_TRY(SizeField wished, model_sizes(model_, options_, context_));
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      ARESTA_TRY(const bool good, mesh_surfaces(wished, attempt + 1 == attempts));
+      if (good) break;
+    }
+    if (options_.dimension == 3) ARESTA_CHECK(mesh_regions());
+    return finish();
+  }
+
+ private:
+  /// Edges and faces. False: some checks failed and `wished` was made finer there.
+  Result<bool> mesh_surfaces(SizeField& wished, bool last) {
+    SizeField field = wished;
+    ARESTA_TRY(EdgeMesh edges, subdivide_edges(model_, field, context_));
+    linear_ = {};
+    linear_.nodes = std::move(edges.nodes);
+    linear_.chains = std::move(edges.chains);
+    if (options_.dimension == 1) return true;
+    edges.nodes = linear_.nodes;
+    edges.chains = linear_.chains;
+    bool good = true;
+    for (const FaceId f : topology_.faces()) {
+      ARESTA_CHECK(
+          context_.step(static_cast<double>(f.index()) / static_cast<double>(topology_.face_count()), "surface mesh"));
+      auto made = mesh_face(model_, f, edges, field, quiet());
+      if (made.ok()) {
+        add_face(*made);
+        continue;
+      }
+      const ErrorCode code = made.error().code;
+      if (last || !(code == errors::mesh_face_boundary || code == errors::mesh_face_failed))
+        return std::move(made).error();
+      linear_.faces.emplace_back();
+      refine_around(f, wished);
+      good = false;
+    }
+    if (!good) return false;
+    const std::vector<Vec3> crossings = surface_crossings(linear_, 200);
+    if (crossings.empty()) return true;
+    if (last) {
+      const Vec3 p = crossings.front();
+      return Error{errors::mesh_surfaces_cross,
+                   "the meshes of faces that come close to each other intersect",
+                   {},
+                   {{p.x, p.y, p.z}},
+                   "a smaller element size there"};
+    }
+    for (const Vec3& p : crossings) wished.restrict(p, 0.5 * field.at(p));
+    return false;
+  }
+
+  /// Cancels as the caller's context does but keeps the progress of faces to the loop over them.
+  Context quiet() const {
+    Context context = context_;
+    context.progress = {};
+    return context;
+  }
+
+  void refine_around(FaceId f, SizeField& wished) const {
+    for (const LoopId l : topology_.loops(f)) {
+      if (topology_.is_vertex_loop(l)) continue;
+      for (const CoedgeId c : topology_.coedges(l)) {
+        const auto& nodes = linear_.chains[topology_.edge(c).index()].nodes;
+        for (std::size_t i = 1; i < nodes.size(); ++i) {
+          const Vec3 a = linear_.nodes[nodes[i - 1]], b = linear_.nodes[nodes[i]];
+          wished.restrict(0.5 * (a + b), 0.5 * distance(a, b));
+        }
+      }
+    }
+  }
+
+  void add_face(const FaceMesh& made) {
+    LinearFace& face = linear_.faces.emplace_back();
+    const auto first = static_cast<std::uint32_t>(linear_.nodes.size());
+    const auto boundary_count = static_cast<std::uint32_t>(made.boundary.size());
+    const auto whole = [&](std::uint32_t local) {
+      return local < boundary_count ? made.boundary[local] : first + local - boundary_count;
+    };
+    linear_.nodes.insert(linear_.nodes.end(), made.inner.begin(), made.inner.end());
+    for (const auto& t : made.triangles) face.triangles.push_back({whole(t[0]), whole(t[1]), whole(t[2])});
+    std::vector<std::uint32_t> order(boundary_count);
+    for (std::uint32_t i = 0; i < boundary_count; ++i) order[i] = i;
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return made.boundary[a] < made.boundary[b]; });
+    for (const std::uint32_t i : order) {
+      face.nodes.push_back(made.boundary[i]);
+      face.uv.push_back(made.boundary_uv[i]);
+      face.inner.push_back(false);
+    }
+    for (std::uint32_t i = 0; i < made.inner.size(); ++i) {
+      face.nodes.push_back(first + i);
+      face.uv.push_back(made.inner_uv[i]);
+      face.inner.push_back(true);
+    }
+  }
+
+  // --- regions ---
+
+  Status refuse_embedded() const {
+    for (const RegionId r : model_.regions()) {
+      for (const ShellId s : topology_.shells(r)) {
+        for (const EdgeId e : topology_.wires(s)) {
+          const Vec3 p = model_.edge_point(e, model_.range(e).middle());
+          return Error{errors::mesh_embedded_wire,
+                       "a wire inside a region cannot be met by tetrahedra",
+                       {e, r},
+                       {{p.x, p.y, p.z}},
+                       "take the wire out of the region, or mesh with dimension 2"};
+        }
+        if (const VertexId v = topology_.shell_vertex(s); v.valid()) {
+          const Vec3 p = model_.point(v);
+          return Error{errors::mesh_embedded_wire,
+                       "a point inside a region cannot be met by tetrahedra",
+                       {v, r},
+                       {{p.x, p.y, p.z}},
+                       "take the point out of the region, or mesh with dimension 2"};
+        }
+      }
+    }
+    return {};
+  }
+
+  Status mesh_regions() {
+    const std::vector<RegionId> regions = model_.regions();
+    if (regions.empty()) return {};
+    ARESTA_CHECK(refuse_embedded());
+    std::vector<std::uint32_t> number(topology_.region_count(), 0);
+    VolumeInput input;
+    for (const RegionId r : regions) {
+      number[r.index()] = ++input.region_count;
+      const auto own = options_.sizes.find(r);
+      input.region_sizes.push_back(own == options_.sizes.end() ? options_.size : std::min(options_.size, own->second));
+    }
+    input.grading = options_.grading;
+    std::vector<std::uint32_t> point_of(linear_.nodes.size(), 0xffffffffu), node_of;
+    for (const FaceId f : topology_.faces()) {
+      const std::uint32_t front = number[topology_.region(FaceUse(f, 0)).index()],
+                          back = number[topology_.region(FaceUse(f, 1)).index()];
+      if (front == 0 && back == 0) continue;
+      for (auto t : linear_.faces[f.index()].triangles) {
+        for (std::uint32_t& n : t) {
+          if (point_of[n] == 0xffffffffu) {
+            point_of[n] = static_cast<std::uint32_t>(input.points.size());
+            input.points.push_back(linear_.nodes[n]);
+            node_of.push_back(n);
+          }
+          n = point_of[n];
+        }
+        input.triangles.push_back({t, f.value, front, back});
+      }
+    }
+    auto filled = fill_volumes(input, context_);
+    if (!filled.ok()) return translate(std::move(filled).error(), regions);
+    if (auto status = check_volumes(input, *filled); !status.ok()) return translate(std::move(status).error(), regions);
+    for (std::size_t i = input.points.size(); i < filled->points.size(); ++i) {
+      node_of.push_back(static_cast<std::uint32_t>(linear_.nodes.size()));
+      linear_.nodes.push_back(filled->points[i]);
+    }
+    linear_.tetras = std::move(filled->tetras);
+    for (Tetra& t : linear_.tetras) {
+      for (std::uint32_t& n : t.nodes) n = node_of[n];
+      t.region = regions[t.region - 1].value + 1;
+    }
+    std::stable_sort(linear_.tetras.begin(), linear_.tetras.end(),
+                     [](const Tetra& a, const Tetra& b) { return a.region < b.region; });
+    return {};
+  }
+
+  /// Regions in errors of the volume mesher are counted; here they get their model's number.
+  static Error translate(Error error, const std::vector<RegionId>& regions) {
+    for (EntityRef& entity : error.entities) {
+      if (entity.kind == EntityKind::region && entity.index < regions.size()) entity = regions[entity.index];
+    }
+    return error;
+  }
+
+  // --- the answer ---
+
+  Result<Mesh> finish() {
+    const bool second = options_.order == 2;
+    std::optional<SecondOrder> curved;
+    if (second) curved.emplace(model_, linear_);
+    Mesh result;
+    for (const VertexId v : topology_.vertices()) result.blocks.push_back({ElementType::point1, v, {v.value}});
+    for (const EdgeId e : topology_.edges()) {
+      ElementBlock block{second ? ElementType::line3 : ElementType::line2, e, {}};
+      const auto& nodes = linear_.chains[e.index()].nodes;
+      for (std::size_t i = 1; i < nodes.size(); ++i) {
+        block.nodes.insert(block.nodes.end(), {nodes[i - 1], nodes[i]});
+        if (second) block.nodes.push_back(curved->mid(nodes[i - 1], nodes[i]));
+      }
+      result.blocks.push_back(std::move(block));
+    }
+    for (std::size_t f = 0; f < linear_.faces.size(); ++f) {
+      ElementBlock block{second ? ElementType::triangle6 : ElementType::triangle3, FaceId(f), {}};
+      for (const auto& t : linear_.faces[f].triangles) {
+        block.nodes.insert(block.nodes.end(), t.begin(), t.end());
+        if (second)
+          block.nodes.insert(block.nodes.end(),
+                             {curved->mid(t[0], t[1]), curved->mid(t[1], t[2]), curved->mid(t[2], t[0])});
+      }
+      result.blocks.push_back(std::move(block));
+    }
+    for (std::size_t i = 0; i < linear_.tetras.size();) {
+      const std::uint32_t region = linear_.tetras[i].region;
+      ElementBlock block{second ? ElementType::tetra10 : ElementType::tetra4, RegionId(region - 1), {}};
+      for (; i < linear_.tetras.size() && linear_.tetras[i].region == region; ++i) {
+        const auto& n = linear_.tetras[i].nodes;
+        block.nodes.insert(block.nodes.end(), n.begin(), n.end());
+        if (second) {
+          block.nodes.insert(block.nodes.end(),
+                             {curved->mid(n[0], n[1]), curved->mid(n[1], n[2]), curved->mid(n[2], n[0]),
+                              curved->mid(n[0], n[3]), curved->mid(n[1], n[3]), curved->mid(n[2], n[3])});
+        }
+      }
+      result.blocks.push_back(std::move(block));
+    }
+    result.nodes = std::move(linear_.nodes);
+    add_sets(result);
+    if (options_.dimension == 3) {
+      const QualityReport report = quality_report(result, 3, 1);
+      if (report.inverted > 0) {
+        const auto& worst = report.worst_elements.front();
+        return Error{errors::mesh_check_failed,
+                     "a volume element is turned inside out",
+                     {worst.entity},
+                     {{worst.centre.x, worst.centre.y, worst.centre.z}}};
+      }
+    }
+    return result;
+  }
+
+  void add_sets(Mesh& result) const {
+    std::vector<EntityRef> present;
+    for (const auto& block : result.blocks) present.push_back(block.entity);
+    const auto add = [&](const std::string& name, const std::vector<EntityRef>& entities) {
+      auto set = std::find_if(result.sets.begin(), result.sets.end(), [&](const MeshSet& s) { return s.name == name; });
+      std::vector<EntityRef> kept;
+      for (const EntityRef entity : entities) {
+        if (std::binary_search(present.begin(), present.end(), entity)) kept.push_back(entity);
+      }
+      if (kept.empty()) return;
+      if (set == result.sets.end()) set = result.sets.insert(set, MeshSet{name, {}});
+      set->entities.insert(set->entities.end(), kept.begin(), kept.end());
+      std::sort(set->entities.begin(), set->entities.end());
+      set->entities.erase(std::unique(set->entities.begin(), set->entities.end()), set->entities.end());
+    };
+    for (const auto& [entity, attributes] : model_.labels.attributes) {
+      const std::string name = model_.labels.name(entity);
+      if (!name.empty()) add(name, {entity});
+    }
+    for (const Group& group : model_.labels.groups) add(group.name, group.entities);
+  }
+
+  const Model& model_;
+  const Complex& topology_;
+  MeshOptions options_;
+  const Context& context_;
+  LinearMesh linear_;
+};
+
+}  // namespace
+
+}  // namespace mesh
+
+Result<Mesh> mesh_model(const Model& model, const MeshOptions& options, const Context& context) {
+  ARESTA_TRY(MeshOptions complete, mesh::complete_options(model, options));
+  return mesh::Mesher(model, std::move(complete), context).run();
+}
+
+}  // namespace aresta
