@@ -74,7 +74,7 @@ Status write_file(const std::string& path, std::string_view data) {
   return {};
 }
 
-Result<std::string> read_file(const std::string& path) {
+Result<std::string> read_file(const std::string& path, std::size_t limit) {
   const auto failed = [&](int reason) { return file_error(errors::file_unreadable, "cannot read", path, reason); };
   struct stat info {};
   if (::stat(path.c_str(), &info) != 0) return failed(errno);
@@ -90,6 +90,8 @@ Result<std::string> read_file(const std::string& path) {
     if (n < 0) reason = errno;
     if (n <= 0) break;
     data.append(buffer, static_cast<std::size_t>(n));
+    if (data.size() > limit) reason = EFBIG;
+    if (reason != 0) break;
   }
   ::close(file);
   if (reason != 0) return failed(reason);

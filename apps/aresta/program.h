@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sub-commands of the program, each a function of its options that gives the exit status.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/context.h"
+#include "document/registry.h"
+#include "streams.h"
+
+namespace aresta::app {
+
+enum ExitStatus : int { status_done = 0, status_failed = 1, status_usage = 2, status_file = 3, status_findings = 4, status_interrupted = 130 };
+
+/// What every sub-command takes.
+struct Common {
+  double tolerance = 0;
+  int threads = 0;  ///< 0: as many as the machine has
+  bool json = false;
+  bool quiet = false;
+  bool progress = false;  ///< asked for; also shown when standard error is a terminal
+};
+
+/// The program's state, handed to each sub-command.
+struct Program {
+  Common common;
+  Context context;
+  Output output;
+};
+
+int exit_status(const Error& error);
+
+/// Every command there is: the language's and the modeller's.
+const document::Registry& all_commands();
+
+struct RunOptions {
+  std::string file;
+  std::vector<std::string> definitions;
+  std::string summary_file;
+};
+Result<int> run_script(Program& program, const RunOptions& options);
+
+struct HelpOptions {
+  std::string command;
+};
+/// `aresta help [command]`: the commands of the language by group, or one command's page.
+Result<int> show_help(Program& program, const HelpOptions& options);
+
+}  // namespace aresta::app

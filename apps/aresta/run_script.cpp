@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// `aresta run`: a script, its variables, and the summary of what it did.
+#include <sys/resource.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "program.h"
+#include "script/interpreter.h"
+
+namespace aresta::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t max_script_bytes = std::size_t{1} << 24;
+
+const ErrorCode bad_definition{800, "usage.definition", Failure::usage};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::uint64_t peak_memory() {
+  rusage usage{};
+  return ::getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::uint64_t>(usage.ru_maxrss) * 1024 : 0;
+}
+
+/// Printed text by lines, as the summary lists it.
+class Lines {
+ public:
+  void add(std::string_view text) {
+    for (const char c : text) {
+      if (c == '\n') {
+        lines_.push_back(std::move(current_));
+        current_.clear();
+      } else {
+        current_ += c;
+      }
+    }
+  }
+  std::vector<std::string> take() {
+    if (!current_.empty()) lines_.push_back(std::move(current_));
+    return std::move(lines_);
+  }
+
+ private:
+  std::vector<std::string> lines_;
+  std::string current_;
+};
+
+Status define(script::Interpreter& interpreter, const std::string& definition) {
+  const std::size_t equals = definition.find('=');
+  const std::string name = definition.substr(0, equals);
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  bool good = equals != std::string::npos && !name.empty() && letter(name[0]) && !script::is_keyword(name);
+  for (const char c : name) good = good && (letter(c) || digit(c));
+  if (!good) return Error{bad_definition, "-D takes name=value, with a name of letters, digits and _, not '" + definition + "'"};
+  interpreter.set(name, script::value_of_definition(definition.substr(equals + 1)));
+  return {};
+}
+
+}  // namespace
+
+Result<int> run_script(Program& program, const RunOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const bool standard_input = options.file == "-";
+  ARESTA_TRY(const std::string text, standard_input ? read_standard_input() : read_file(options.file, max_script_bytes));
+
+  Lines printed;
+  Json commands = Json::array();
+  document::Session session;
+  session.registry = &all_commands();
+  session.context = program.context;
+  session.digits = program.output.is_terminal() ? document::Digits::shortest : document::Digits::seventeen;
+  session.tolerance = program.common.tolerance;
+  const bool wants_summary = !options.summary_file.empty() || program.common.json;
+  session.print = [&](const std::string& s) -> Status {
+    if (wants_summary) printed.add(s);
+    return program.common.json ? Status{} : program.output.write(s);
+  };
+  script::Interpreter interpreter(session);
+  document::ShapePtr last_shape;
+  session.finished = [&](const document::Command& command, double seconds, const document::Value* result) {
+    if (wants_summary) {
+      commands.push_back({{"line", interpreter.line()}, {"command", command.name}, {"seconds", seconds}, {"ok", result != nullptr}});
+    }
+    if (result != nullptr && result->is(document::Value::Kind::shape)) last_shape = result->shape();
+  };
+  for (const std::string& definition : options.definitions) ARESTA_CHECK(define(interpreter, definition));
+
+  Status status = interpreter.run(text, standard_input ? "<stdin>" : options.file);
+  if (Status flushed = program.output.flush(); status && !flushed) status = std::move(flushed);
+
+  if (wants_summary) {
+    Json summary;
+    summary["version"] = ARESTA_VERSION;
+    summary["ok"] = status.ok();
+    if (!status) summary["error"] = status.error().to_line();
+    summary["seconds"] = seconds_since(start);
+    summary["peak_rss_bytes"] = peak_memory();
+    summary["threads"] = program.context.threads;
+    summary["commands"] = std::move(commands);
+    summary["printed"] = printed.take();
+    summary["model"] = nullptr;
+    // What a script printed may be no UTF-8: replaced, never an exception.
+    const std::string json = summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    if (!options.summary_file.empty()) {
+      Status written = options.summary_file == "-" ? program.output.write(json) : write_file(options.summary_file, json);
+      if (status && !written) status = std::move(written);
+    }
+    if (program.common.json) {
+      Status written = program.output.write(json);
+      if (status && !written) status = std::move(written);
+    }
+  }
+  if (!status) return std::move(status.error());
+  return static_cast<int>(status_done);
+}
+
+}  // namespace aresta::app

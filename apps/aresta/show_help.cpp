@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// `aresta help`: the registry as pages of text.
+#include "program.h"
+#include "script/interpreter.h"
+
+namespace aresta::app {
+
+namespace {
+
+const ErrorCode unknown_command{801, "usage.unknown_command", Failure::usage};
+
+std::string first_sentence(const std::string& text) {
+  const std::size_t end = text.find(". ");
+  return end == std::string::npos ? text : text.substr(0, end + 1);
+}
+
+std::string overview(const document::Registry& registry) {
+  std::string text =
+      "The script language is a subset of Python: variables, lists, loops, if, and the commands below.\n"
+      "Lengths are in document units (default mm), angles in degrees; z is up. 'aresta help NAME' explains one.\n";
+  std::size_t width = 0;
+  for (const auto& [name, command] : registry.commands()) width = std::max(width, name.size());
+  for (const std::string& group : registry.groups()) {
+    text += "\n" + group + "\n";
+    for (const auto& [name, command] : registry.commands()) {
+      if (command.group == group) text += "  " + name + std::string(width - name.size() + 2, ' ') + first_sentence(command.doc) + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+const document::Registry& all_commands() {
+  static const document::Registry registry = [] {
+    document::Registry r;
+    script::register_language(r);
+    return r;
+  }();
+  return registry;
+}
+
+Result<int> show_help(Program& program, const HelpOptions& options) {
+  const document::Registry& registry = all_commands();
+  if (options.command.empty()) {
+    ARESTA_CHECK(program.output.write(overview(registry)));
+    return static_cast<int>(status_done);
+  }
+  if (const document::Command* command = registry.find(options.command)) {
+    ARESTA_CHECK(program.output.write(document::Registry::help(*command)));
+    return static_cast<int>(status_done);
+  }
+  if (const document::Constant* constant = registry.find_constant(options.command)) {
+    ARESTA_CHECK(program.output.write(constant->name + " = " + document::repr(constant->value) + "\n\n" + constant->doc + "\n"));
+    return static_cast<int>(status_done);
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, command] : registry.commands()) names.push_back(name);
+  const std::string near = document::nearest_name(options.command, names);
+  return Error{unknown_command, "there is no command '" + options.command + "'" + (near.empty() ? "; 'aresta help' lists all" : "; did you mean '" + near + "'?")};
+}
+
+}  // namespace aresta::app
