@@ -87,6 +87,10 @@ void ModelBuilder::set_constraint(FaceId face, bool constraint) {
 }
 
 Result<Model> ModelBuilder::build(const Cells& cells, const std::vector<bool>& filled) {
+  if (incidence_.radial_next.size() != incidence_.coedges.size()) {
+    ARESTA_TRY(const Model model, provisional());
+    ARESTA_CHECK(order_radially(model, incidence_));
+  }
   incidence_.region_count = cells.count;
   incidence_.region_filled = filled;
   incidence_.face_use_region = cells.of_face_use;

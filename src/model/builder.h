@@ -64,7 +64,8 @@ class ModelBuilder {
   /// The cells of all faces added. Errors: bad_incidence, ambiguous_radial_order, nesting_failed, cancelled.
   Result<Cells> find_cells(const Context& context);
 
-  /// The model with given cells; filled[c] says which cells are regions ([0] must be false).
+  /// The model with given cells; filled[c] says which cells are regions ([0] must be false). Finds the radial order
+  /// unless it is known.
   Result<Model> build(const Cells& cells, const std::vector<bool>& filled);
 
   /// find_cells, then fills by what set_fill said: a cell is filled when one of its sides was said to be; sides that

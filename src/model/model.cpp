@@ -102,8 +102,7 @@ Box3 Model::bounds(FaceId f) const {
   const auto widen = [](Range& r, double value, bool first) {
     r = first ? Range{value, value} : Range{std::min(r.low, value), std::max(r.high, value)};
   };
-  bool first = true;
-  double u_gap = 0;
+  bool first = true, straight_images = true;
   for (const LoopId l : topology_.loops(f)) {
     if (topology_.is_vertex_loop(l)) {
       box.add(point(topology_.loop_vertex(l)));
@@ -113,6 +112,8 @@ Box3 Model::bounds(FaceId f) const {
       const EdgeId e = topology_.edge(c);
       box.add(bounds(e));
       if (is_plane) continue;
+      const Curve2* image = pcurve(c);
+      straight_images = straight_images && image != nullptr && image->get_if<Line2>() != nullptr;
       constexpr int samples = 16;
       for (int i = 0; i <= samples; ++i) {
         const Vec2 uv = this->uv(c, range(e).at(static_cast<double>(i) / samples));
@@ -120,7 +121,6 @@ Box3 Model::bounds(FaceId f) const {
         widen(piece.v, uv.y, first);
         first = false;
       }
-      u_gap = std::max(u_gap, 1.0 / samples);
     }
   }
   if (is_plane) return box;
@@ -128,19 +128,20 @@ Box3 Model::bounds(FaceId f) const {
   const Range2 domain = surface.domain();
   const Vec2 period = surface.period();
   if (first) return surface.bounds(domain);
-  // Images between samples, and a periodic direction that the loops go around, may reach further than the samples.
+  // Straight images reach no further than their ends. Others may between samples; and a loop that goes around a
+  // period may leave its side.
   const auto grow = [&](Range& r, double whole, Range limits) {
-    if (whole > 0 && r.length() > 0.5 * whole) {
+    if (whole > 0 && r.length() > (straight_images ? 0.999 : 0.5) * whole) {
       r = {r.low, r.low + whole};
       return;
     }
-    const double margin = 0.1 * r.length();
+    const double margin = straight_images ? 0 : 0.1 * r.length();
     r = {r.low - margin, r.high + margin};
     if (whole == 0) r = {std::max(r.low, limits.low), std::min(r.high, limits.high)};
   };
   grow(piece.u, period.x, domain.u);
   grow(piece.v, period.y, domain.v);
-  if (surface.get_if<Sphere>() != nullptr) {
+  if (surface.get_if<Sphere>() != nullptr && (!straight_images || piece.u.length() >= period.x)) {
     piece.v = domain.v;  // a pole inside the face has no image on its boundary
     piece.u = domain.u;
   }
