@@ -17,14 +17,14 @@ topic=$1
 size=$2
 source=$(cd "$(dirname "$0")/.." && pwd -P)
 : "${BUILD:?}"
+if [ "$size" != full ] && [ "$size" != quick ]; then
+  echo "run-topic: the size is full or quick, not '$size'" >&2
+  exit 2
+fi
 
 export ARESTA="$BUILD/apps/aresta/aresta" ARESTA_SOURCE="$source" ARESTA_BUILD="$BUILD"
 export ARESTA_DATA="${ARESTA_DATA:-$source/../shared/data}" ARESTA_SEED="${ARESTA_SEED:-20240229}"
-case $size in
-  full) ARESTA_SCALE=1 ;;
-  quick) ARESTA_SCALE=0.01 ;;
-  *) echo "run-topic: the size is full or quick, not '$size'" >&2 && exit 2 ;;
-esac
+if [ "$size" = full ]; then ARESTA_SCALE=1; else ARESTA_SCALE=0.01; fi
 OUT="$BUILD/out/$size-$topic"
 rm -rf "$OUT"
 mkdir -p "$OUT"
@@ -32,7 +32,7 @@ export ARESTA_SCALE OUT
 
 log=$OUT/output.log
 status=0
-{ sh "$source/tests/full/$topic.sh" 2>&1 || echo "exit status: $?"; } | tee "$log"
+{ sh "${ARESTA_TOPICS:-$source/tests/full}/$topic.sh" 2>&1 || echo "exit status: $?"; } | tee "$log"
 if grep -q '^exit status: ' "$log"; then status=1; fi
 
 number() { echo "$1" | sed -n "s/.*[ ,]$2 \([0-9][0-9]*\).*/\1/p"; }
