@@ -14,17 +14,21 @@
 
 namespace aresta {
 
-/// Moments of a set of points of some dimension: measure (length, area or volume), first and second moments about the
-/// origin. `error` bounds the measure's absolute error.
+/// Moments of a set of points of some dimension: measure (length, area or volume), first and second moments about
+/// `reference`, a point near the set: far from the origin nothing is lost. `error` bounds the measure's absolute error.
 struct Moments {
   double measure = 0;
-  Vec3 first{};                    ///< integral of p
-  std::array<double, 6> second{};  ///< integrals of xx, yy, zz, xy, yz, zx
+  Vec3 first{};                    ///< integral of q = p - reference
+  std::array<double, 6> second{};  ///< integrals of xx, yy, zz, xy, yz, zx of q
+  Vec3 reference{};
   double error = 0;
 
-  Vec3 centroid() const { return measure != 0 ? first / measure : Vec3{}; }
+  Vec3 centroid() const { return measure != 0 ? reference + first / measure : reference; }
   /// Inertia tensor about the centroid (unit density): xx, yy, zz, xy, yz, zx; products of inertia with negative sign.
   std::array<double, 6> inertia() const;
+  /// The same moments about another point.
+  Moments about(Vec3 point) const;
+  /// Adds, about this reference (or the other's, when this is still zero).
   Moments& operator+=(const Moments& other);
 };
 
@@ -38,7 +42,8 @@ Result<Moments> measure(const Model& model, RegionId region, const MeasureOption
 
 /// Volume moments enclosed under one side of a face towards a reference point: the flux integrals whose sum over a
 /// closed set of sides gives the volume that these sides look away from (side 0 looks along the face's normal). So the
-/// volume of a region is minus the sum over its face-uses.
+/// volume of a region is minus the sum over its face-uses. First and second moments likewise, about `reference`.
+/// Regions and radial order are not looked at.
 Result<Moments> flux(const Model& model, FaceId face, Vec3 reference, const MeasureOptions& options = {});
 
 /// Sum over all of: regions' volumes; each face's area once; each edge's length once.

@@ -20,6 +20,9 @@ class FaceTrim {
   /// A point well inside the face, away from its edges; deterministic. Error measure_failed when the face is thinner
   /// than its tolerance.
   Result<Vec2> interior_point() const;
+  /// Box of the boundary's image, in one lift of it (a periodic parameter may leave its domain); the surface's domain
+  /// for a face without edges.
+  Range2 box() const;
 
  private:
   struct Data;
@@ -38,7 +41,8 @@ struct RayHit {
 class RayCaster {
  public:
   explicit RayCaster(const Model& model);
-  /// All meetings with t > 0, by growing t. `direction` is a unit vector.
+  /// All meetings with t > 0 (a face that holds the origin itself, to rounding, is not met there), by growing t.
+  /// `direction` is a unit vector. Several threads may cast at once.
   std::vector<RayHit> cast(Vec3 origin, Vec3 direction) const;
 
  private:
