@@ -33,9 +33,14 @@ struct Segment {
 
 /// Lengths in space of small steps in the parameter plane.
 struct Metric {
-  double e = 1, f = 0, g = 1, u = 1, v = 1;
+  double e = 1, f = 0, g = 1;
+  double u = 1, v = 1;                ///< lengths of unit steps
+  double across_u = 1, across_v = 1;  ///< distances between lines u = 0 and u = 1, v = 0 and v = 1
   explicit Metric(const SurfaceJet& j)
-      : e(dot(j.du, j.du)), f(dot(j.du, j.dv)), g(dot(j.dv, j.dv)), u(std::sqrt(e)), v(std::sqrt(g)) {}
+      : e(dot(j.du, j.du)), f(dot(j.du, j.dv)), g(dot(j.dv, j.dv)), u(std::sqrt(e)), v(std::sqrt(g)) {
+    across_u = g > 0 ? std::sqrt(std::max(0.0, e - f * f / g)) : u;
+    across_v = e > 0 ? std::sqrt(std::max(0.0, g - f * f / e)) : v;
+  }
   Metric() = default;
   double dot2(Vec2 a, Vec2 b) const { return e * a.x * b.x + f * (a.x * b.y + a.y * b.x) + g * a.y * b.y; }
   double length(Vec2 d) const { return std::sqrt(std::max(0.0, dot2(d, d))); }
@@ -63,6 +68,7 @@ struct FaceTrim::Data {
   double size = 0;
   double side = 1;  ///< -1 when loops run clockwise in the parameter plane
   double tolerance = 0;
+  Vec2 scale{1, 1};  ///< lengths of unit steps in the middle of the face
   std::vector<Segment> segments;
   bool torus = false;
   Vec2 reference{};   ///< where paths end
@@ -74,14 +80,16 @@ struct FaceTrim::Data {
     side = model.is_reversed(face) ? -1 : 1;
     torus = image.period.x > 0 && image.period.y > 0;
     tolerance = std::max(model.tolerance(face), model.tolerance());
+    if (!image.empty()) reference = {image.box.u.middle(), image.box.v.middle()};
+    const Metric metric = metric_at(reference);
+    scale = {metric.u, metric.v};
+    size = metric.length({image.box.u.length(), image.box.v.length()});
+    segments.reserve(image.pieces.size());
     for (std::uint32_t i = 0; i < image.pieces.size(); ++i) {
       const ImagePiece& piece = image.pieces[i];
       if (!piece.internal) add_piece(piece, i);
       if (piece.gap_end != piece.end) segments.push_back({.a = piece.end, .b = piece.gap_end});
     }
-    if (!image.empty()) reference = {image.box.u.middle(), image.box.v.middle()};
-    const Metric metric = metric_at(reference);
-    size = metric.length({image.box.u.length(), image.box.v.length()});
     find_base();
   }
 
@@ -110,16 +118,13 @@ struct FaceTrim::Data {
                        image.uv(piece, s.ta + 0.75 * h)};
     s.error = {};
     for (int i = 0; i < 3; ++i) {
-      // The deviation across the chord counts, not that along it: compare with the nearest point of the chord in a
-      // metric that makes the face's box a square.
       const double w = 0.25 * (i + 1);
       const Vec2 d = q[i] - (s.a + w * (s.b - s.a));
       s.error.x = std::max(s.error.x, std::abs(d.x));
       s.error.y = std::max(s.error.y, std::abs(d.y));
     }
     s.error = 2 * s.error;
-    const double lu = image.box.u.length(), lv = image.box.v.length();
-    const double relative = (lu > 0 ? s.error.x / lu : 0) + (lv > 0 ? s.error.y / lv : 0);
+    const double relative = (scale.x * s.error.x + scale.y * s.error.y) / size;
     if (relative > 4e-3 && depth < 10) {
       add_arc(piece, {s.a, q[1], {}, s.ta, s.ta + 0.5 * h, s.piece}, depth + 1);
       add_arc(piece, {q[1], s.b, {}, s.ta + 0.5 * h, s.tb, s.piece}, depth + 1);
@@ -179,25 +184,31 @@ struct FaceTrim::Data {
     return d;
   }
 
+  /// False when p is surely farther from the chord than `reach`.
+  bool may_be_near(const Metric& metric, Vec2 p, const Segment& s, double reach) const {
+    const auto gap = [](double x, double a, double b, double period) {
+      const double centre = 0.5 * (a + b), half = 0.5 * std::abs(b - a);
+      double d = x - centre;
+      if (period > 0) d -= period * std::round(d / period);
+      return std::abs(d) - half;
+    };
+    return gap(p.x, s.a.x, s.b.x, image.period.x) * metric.across_u <= reach &&
+           gap(p.y, s.a.y, s.b.y, image.period.y) * metric.across_v <= reach;
+  }
+
   /// Adds the crossings of the image behind `s`; false when p lies on it within tolerance.
   bool count(const Segment& s, const Metric& metric, Vec2 p, double near_by, double& sum, int depth) const {
     const double error = metric.u * s.error.x + metric.v * s.error.y;
     const double floor = std::max(0.25 * near_by, 1e-13 * size);
-    if (s.piece != no_piece || near_by > 0) {
-      const double d = distance(metric, p, s.a, s.b);
-      if (d <= near_by + error) {
-        if (s.piece == no_piece) {
-          // A gap: at a pole it is one point of space, elsewhere shorter than the tolerance. Its ends belong to edges.
-        } else if (error <= floor || depth > 40) {
-          return false;
-        } else {
-          const double t = 0.5 * (s.ta + s.tb);
-          const Vec2 m = image.uv(image.pieces[s.piece], t);
-          const Vec2 half = 0.25 * s.error;
-          return count({s.a, m, half, s.ta, t, s.piece}, metric, p, near_by, sum, depth + 1) &&
-                 count({m, s.b, half, t, s.tb, s.piece}, metric, p, near_by, sum, depth + 1);
-        }
-      }
+    // A gap is no boundary: at a pole it is one point of space, elsewhere shorter than the tolerance between edges.
+    if (s.piece != no_piece && may_be_near(metric, p, s, near_by + error) &&
+        distance(metric, p, s.a, s.b) <= near_by + error) {
+      if (error <= floor || depth > 40) return false;
+      const double t = 0.5 * (s.ta + s.tb);
+      const Vec2 m = image.uv(image.pieces[s.piece], t);
+      const Vec2 half = 0.25 * s.error;
+      return count({s.a, m, half, s.ta, t, s.piece}, metric, p, near_by, sum, depth + 1) &&
+             count({m, s.b, half, t, s.tb, s.piece}, metric, p, near_by, sum, depth + 1);
     }
     sum += crossings(s.a, s.b, p);
     return true;
