@@ -7,6 +7,7 @@
 #include <Precision.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <cmath>
 
 #include "model/query.h"
 #include "occt/errors.h"
@@ -42,28 +43,47 @@ bool only_solids(const ShapeMaps& maps, std::size_t face_count) {
   return !maps.sides.empty() && std::all_of(used.begin(), used.end(), [](bool b) { return b; });
 }
 
+gp_Pnt to_pnt(Vec3 p) {
+  return {p.x, p.y, p.z};
+}
+
+/// A point in the solid's material: a little behind one of its faces.
+Result<Vec3> point_inside(const Model& model, const SolidSides& sides, BRepClass3d_SolidClassifier& solid,
+                          double size) {
+  for (const FaceUse use : sides.inside) {
+    const auto uv = FaceTrim(model, use.face()).interior_point();
+    if (!uv.ok()) continue;
+    const Vec3 normal = model.normal(use.face(), *uv), inwards = use.side() == 0 ? normal : -normal;
+    for (double step = 0.03 * size; step > 1e-6 * size; step *= 0.2) {
+      const Vec3 p = model.surface(use.face()).point(*uv) + step * inwards;
+      solid.Perform(to_pnt(p), Precision::Confusion());
+      if (solid.State() == TopAbs_IN) return p;
+    }
+  }
+  return Error{
+      errors::to_model_failed, "no point is found inside a solid", {model.topology().region(sides.inside.front())}};
+}
+
 /// Does some solid have a point of another one's inside in its own?
 Status require_apart(const Model& model, const ShapeMaps& maps, const Context& context) {
-  const int n = maps.solids.Extent();
-  std::vector<Bnd_Box> boxes(static_cast<std::size_t>(n) + 1);
-  std::vector<Vec3> inner(static_cast<std::size_t>(n) + 1);
-  for (int s = 1; s <= n; ++s) {
-    BRepBndLib::Add(maps.solids(s), boxes[static_cast<std::size_t>(s)], Standard_False);
-    const FaceUse use = maps.sides[static_cast<std::size_t>(s - 1)].inside.front();
-    ARESTA_TRY(inner[static_cast<std::size_t>(s)], interior_point(model, model.topology().region(use)));
+  const std::size_t n = maps.sides.size();
+  std::vector<Bnd_Box> boxes(n);
+  std::vector<Vec3> inner(n);
+  const auto solid = [&](std::size_t s) { return maps.solids(static_cast<int>(s) + 1).Oriented(TopAbs_FORWARD); };
+  for (std::size_t s = 0; s < n; ++s) {
+    BRepBndLib::Add(solid(s), boxes[s], Standard_False);
+    BRepClass3d_SolidClassifier classifier(solid(s));
+    ARESTA_TRY(inner[s], point_inside(model, maps.sides[s], classifier, std::sqrt(boxes[s].SquareExtent())));
   }
-  for (int s = 1; s <= n; ++s) {
-    ARESTA_CHECK(context.step(static_cast<double>(s) / n, "looking for overlapping solids"));
-    BRepClass3d_SolidClassifier classifier(maps.solids(s).Oriented(TopAbs_FORWARD));
-    for (int other = 1; other <= n; ++other) {
-      if (other == s) continue;
-      const Vec3 p = inner[static_cast<std::size_t>(other)];
-      if (boxes[static_cast<std::size_t>(s)].IsOut(gp_Pnt(p.x, p.y, p.z))) continue;
-      classifier.Perform(gp_Pnt(p.x, p.y, p.z), Precision::Confusion());
+  for (std::size_t s = 0; s < n; ++s) {
+    ARESTA_CHECK(context.step(static_cast<double>(s) / static_cast<double>(n), "looking for overlapping solids"));
+    BRepClass3d_SolidClassifier classifier(solid(s));
+    for (std::size_t other = 0; other < n; ++other) {
+      const Vec3 p = inner[other];
+      if (other == s || boxes[s].IsOut(to_pnt(p))) continue;
+      classifier.Perform(to_pnt(p), Precision::Confusion());
       if (classifier.State() == TopAbs_OUT) continue;
-      const auto region = [&](int i) {
-        return model.topology().region(maps.sides[static_cast<std::size_t>(i - 1)].inside.front());
-      };
+      const auto region = [&](std::size_t i) { return model.topology().region(maps.sides[i].inside.front()); };
       return Error{errors::solids_overlap,
                    "one solid lies in the material of another",
                    {region(s), region(other)},
