@@ -15,8 +15,8 @@ constexpr std::uint32_t none = Incidence::none;
 
 class Extractor {
  public:
-  Extractor(const Model& source, const Selection& selection)
-      : source_(source), k_(source.topology()), keep_(selection) {}
+  Extractor(const Model& source, const Selection& selection, const Merging* merging)
+      : source_(source), k_(source.topology()), keep_(selection), merging_(merging) {}
 
   Result<Extraction> run() {
     ARESTA_CHECK(merge_cells());
@@ -337,8 +337,8 @@ bool is_inner_edge(const Model& model, EdgeId edge, FaceId face) {
   return std::abs(gap.x) <= 0.25 * period.x + 1e-9 && std::abs(gap.y) <= 0.25 * period.y + 1e-9;
 }
 
-Result<Extraction> extract(const Model& source, const Selection& selection) {
-  return Extractor(source, selection).run();
+Result<Extraction> extract(const Model& source, const Selection& selection, const Merging* merging) {
+  return Extractor(source, selection, merging).run();
 }
 
 }  // namespace aresta
