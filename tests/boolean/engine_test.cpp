@@ -19,7 +19,8 @@ std::shared_ptr<const Model> take(Result<Model> model) {
   return std::make_shared<const Model>(std::move(*model));
 }
 
-BooleanResult run(const std::shared_ptr<const Model>& a, const std::shared_ptr<const Model>& b, BooleanKind kind, bool regularise = true) {
+BooleanResult run(const std::shared_ptr<const Model>& a, const std::shared_ptr<const Model>& b, BooleanKind kind,
+                  bool regularise = true) {
   BooleanOptions options;
   options.kind = kind;
   options.regularise = regularise;
@@ -28,7 +29,9 @@ BooleanResult run(const std::shared_ptr<const Model>& a, const std::shared_ptr<c
   return std::move(*result);
 }
 
-double volume(const Model& m) { return *total_volume(m); }
+double volume(const Model& m) {
+  return *total_volume(m);
+}
 
 struct Expected {
   double volume;
@@ -56,13 +59,15 @@ TEST(BooleanEngine, OverlappingBlocks) {
 }
 
 TEST(BooleanEngine, CrossingCylinders) {
-  const auto z = take(cylinder(2, 10, along({0, 0, -5}, {0, 0, 1}))), x = take(cylinder(2, 10, along({-5, 0, 0}, {1, 0, 0})));
+  const auto z = take(cylinder(2, 10, along({0, 0, -5}, {0, 0, 1}))),
+             x = take(cylinder(2, 10, along({-5, 0, 0}, {1, 0, 0})));
   expect("union", run(z, x, BooleanKind::unite), {80 * pi - 128.0 / 3, 1});
   expect("intersection", run(z, x, BooleanKind::intersect), {128.0 / 3, 1});
 }
 
 TEST(BooleanEngine, TangentBlockAndCylinders) {  // 5.3, 5.4
-  const auto z = take(cylinder(1, 6, along({0, 0, -3}, {0, 0, 1}))), x = take(cylinder(1, 6, along({-3, 0, 0}, {1, 0, 0})));
+  const auto z = take(cylinder(1, 6, along({0, 0, -3}, {0, 0, 1}))),
+             x = take(cylinder(1, 6, along({-3, 0, 0}, {1, 0, 0})));
   const auto c = run(z, x, BooleanKind::unite);
   expect("C", c, {12 * pi - 16.0 / 3, 1});
   const auto cross = std::make_shared<const Model>(c.model);
@@ -76,9 +81,10 @@ TEST(BooleanEngine, CylinderTangentInsideCube) {  // 5.18
   for (const int patches : {1, 2, 4}) {
     for (const double seam : {0.0, 30.0, 45.0}) {
       Patches p;
-      p.patches = patches;
+      p.count = patches;
       p.seam = seam;
-      const auto cube = take(block(2, 2, 2, {-1, -1, -1})), tube = take(cylinder(1, 4, along({0, 0, -2}, {0, 0, 1}), p));
+      const auto cube = take(block(2, 2, 2, {-1, -1, -1})),
+                 tube = take(cylinder(1, 4, along({0, 0, -2}, {0, 0, 1}), p));
       expect("union", run(cube, tube, BooleanKind::unite), {8 + 2 * pi, 1});
       expect("intersection", run(cube, tube, BooleanKind::intersect), {2 * pi, 1});
       expect("cube - cylinder", run(cube, tube, BooleanKind::subtract), {8 - 2 * pi, 4});
@@ -107,7 +113,9 @@ TEST(BooleanEngine, SheetThroughCube) {  // 5.11
   builder.close_loop();
   builder.end_face();
   const auto sheet = take(builder.build({}));
-  const auto count = [](const BooleanResult& r) { return std::pair(r.model.regions().size(), r.model.topology().face_count()); };
+  const auto count = [](const BooleanResult& r) {
+    return std::pair(r.model.regions().size(), r.model.topology().face_count());
+  };
   EXPECT_EQ(count(run(sheet, cube, BooleanKind::intersect, false)), (std::pair<std::size_t, std::size_t>{0, 1}));
   const auto ring = run(sheet, cube, BooleanKind::subtract, false);
   EXPECT_EQ(count(ring), (std::pair<std::size_t, std::size_t>{0, 1}));
