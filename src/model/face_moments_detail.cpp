@@ -174,6 +174,7 @@ class Green {
     if (diagonal_ == 0) return Moments{.reference = options_.reference};
     const Patch patch(surface_, image_.box, swapped_, options_);
     patch_ = &patch;
+    ARESTA_CHECK(measure_gaps());
     along_u(image_.pieces);
     ARESTA_CHECK(close_windings());
     GreenSum sum = sum_;
@@ -192,6 +193,27 @@ class Green {
   /// Component of uv that the outer integral runs along.
   double across(Vec2 uv) const { return swapped_ ? uv.y : uv.x; }
   double inner(Vec2 uv) const { return swapped_ ? uv.x : uv.y; }
+
+  /// What lies between images that should meet is an error; much of it means that a loop is not closed in the surface.
+  Status measure_gaps() {
+    for (const ImagePiece& piece : image_.pieces) {
+      const double gap = image_.gap_length(piece);
+      const Complex& topology = model_.topology();
+      const EdgeId e = topology.edge(piece.coedge);
+      const VertexId v = topology.end(piece.coedge);
+      const double allowed = std::max({model_.tolerance(), 4 * model_.tolerance(e), 4 * model_.tolerance(v)});
+      if (gap <= allowed) continue;
+      if (gap > std::max(100 * allowed, 1e-3 * diagonal_)) {
+        return Error{errors::measure_failed,
+                     "a loop of a face is not closed in its surface's parameters",
+                     {face_},
+                     as_array(model_.point(v)),
+                     "image curves for both uses of a seam"};
+      }
+      gaps_ += gap;
+    }
+    return {};
+  }
 
   void along_u(const std::vector<ImagePiece>& pieces) {
     for (const ImagePiece& piece : pieces) {
@@ -292,7 +314,9 @@ class Green {
     Moments m;
     m.reference = options_.reference;
     m.measure = sign * power * sum.m[1];
-    m.error = power * (sum.error + 16 * epsilon * sum.content + patch_->worst_relative_error() * sum.content);
+    const double way = 2 * (swapped_ ? image_.box.v : image_.box.u).length();  // of the loops, there and back
+    m.error = power * (sum.error + 16 * epsilon * sum.content + patch_->worst_error() * std::max(0.0, way));
+    m.error += gaps_ * diagonal_ * (options_.flux ? size : 1);
     // Coordinates that are large against the face are rounded.
     const Vec3 o = options_.reference;
     const double coordinate = std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) + size;
@@ -311,7 +335,7 @@ class Green {
   const Surface& surface_;
   PatchOptions options_;
   QuadratureOptions quadrature_;
-  double diagonal_ = 0;
+  double diagonal_ = 0, gaps_ = 0;
   bool swapped_ = false;
   const Patch* patch_ = nullptr;
   GreenSum sum_;

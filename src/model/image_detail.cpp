@@ -112,6 +112,19 @@ Vec2 FaceImage::uv(const ImagePiece& piece, double t) const {
   return surface().project(model->edge_point(e, t), &hint).uv + piece.shift;
 }
 
+double FaceImage::gap_length(const ImagePiece& piece) const {
+  if (piece.gap_end == piece.end) return 0;
+  constexpr int steps = 8;
+  double length = 0;
+  Vec3 last = surface().point(piece.end);
+  for (int i = 1; i <= steps; ++i) {
+    const Vec3 p = surface().point(piece.end + (i / double{steps}) * (piece.gap_end - piece.end));
+    length += distance(last, p);
+    last = p;
+  }
+  return length;
+}
+
 FaceImage image_of(const Model& model, FaceId face) {
   const Complex& topology = model.topology();
   FaceImage image;

@@ -47,6 +47,8 @@ struct FaceImage {
   /// The surface that the images lie in.
   const Surface& surface() const { return turned ? *turned : model->surface(face); }
   bool empty() const { return pieces.empty(); }
+  /// How far in space the gap after a piece goes: zero, to rounding, at a pole.
+  double gap_length(const ImagePiece& piece) const;
   /// The lifted image of the piece at an edge parameter, as stored.
   Vec2 uv(const ImagePiece& piece, double t) const;
 };

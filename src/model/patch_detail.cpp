@@ -226,13 +226,12 @@ PatchMoments Patch::free(double u, double v) const {
     return m;
   };
   PatchMoments sum{};
-  double error = 0, content = 0;
+  double error = 0;
   const auto piece = [&](double from, double to) {
     const auto part = integrate(
         density, from, to, QuadratureOptions{.absolute = 1e-15, .relative = options_.relative, .max_intervals = 40});
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part.value[i];
     error += part.error;
-    for (const double x : part.value) content = std::max(content, std::abs(x));
   };
   const double low = std::min(v0_, v), high = std::max(v0_, v);
   double from = low;
@@ -245,7 +244,7 @@ PatchMoments Patch::free(double u, double v) const {
   if (v < v0_) {
     for (double& x : sum) x = -x;
   }
-  if (content > 1e-14) worst_ = std::max(worst_, error / content);
+  worst_ = std::max(worst_, error);
   if (options_.flux) scale_flux(sum);
   return sum;
 }

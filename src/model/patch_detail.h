@@ -28,8 +28,8 @@ class Patch {
   Patch(const Surface& surface, const Range2& box, bool swapped, const PatchOptions& options);
 
   PatchMoments strip(double u, double v) const;
-  /// Bound of the error of the strips asked for so far (free-form surfaces), relative to the strip's content.
-  double worst_relative_error() const { return worst_; }
+  /// The largest error of the strips asked for so far (free-form surfaces).
+  double worst_error() const { return worst_; }
 
   /// Lines v = const that are one point of the surface, or where the surface closes upon itself: the ends of v.
   std::optional<double> low_end, high_end;

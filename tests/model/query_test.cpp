@@ -156,3 +156,97 @@ TEST(RayCaster, BlockAndSphere) {
   const auto touching = sphere.cast({2, 0, -5}, {0, 0, 1});
   for (const RayHit& h : touching) EXPECT_TRUE(h.doubtful);
 }
+
+namespace {
+
+/// A block with a void, a wire and a point inside, and a point outside.
+struct Nested {
+  Draft d;
+  VertexId inner_point, outer_point;
+  EdgeId wire;
+  Nested() {
+    add_block(d, {0, 0, 0}, {10, 10, 10});
+    // Inside out: its front looks into the void.
+    add_polyhedron(d, {{3, 3, 3}, {6, 3, 3}, {3, 6, 3}, {3, 3, 6}},
+                   {{{0, 1, 2}}, {{0, 3, 1}}, {{1, 3, 2}}, {{2, 3, 0}}});
+    wire = d.segment(d.vertex({8, 8, 1}), d.vertex({8, 8, 9}));
+    inner_point = d.vertex({1, 1, 9});
+    outer_point = d.vertex({20, 20, 20});
+  }
+};
+
+}  // namespace
+
+TEST(Locate, EveryKindOfEntity) {
+  Nested n;
+  const Model m = built(n.d);
+  ASSERT_EQ(m.regions().size(), 1u);
+  ASSERT_EQ(m.topology().region_count(), 3u);
+  const RegionId solid = m.regions()[0];
+  const RegionId empty(3u - solid.index());
+  const auto at = [&](Vec3 p) {
+    const auto r = locate_point(m, p, 1e-6);
+    EXPECT_TRUE(r.ok());
+    return r.ok() ? *r : EntityRef();
+  };
+  EXPECT_EQ(at({0, 0, 0}), EntityRef(VertexId(0)));
+  EXPECT_EQ(at({1, 1, 9}), EntityRef(n.inner_point));
+  EXPECT_EQ(at({20, 20, 20}), EntityRef(n.outer_point));
+  EXPECT_EQ(at({8, 8, 5 + 1e-7}), EntityRef(n.wire));
+  EXPECT_EQ(at({0, 5, 0}).kind, EntityKind::edge);
+  EXPECT_EQ(at({0, 5, 5}).kind, EntityKind::face);
+  EXPECT_EQ(at({4, 4, 3 - 9e-7}).kind, EntityKind::face);
+  EXPECT_EQ(at({5, 5, 5}), EntityRef(solid));
+  EXPECT_EQ(at({3.5, 3.5, 3.5}), EntityRef(empty));
+  EXPECT_EQ(at({-1, 5, 5}), EntityRef(Complex::infinite_region()));
+  EXPECT_FALSE(locate_point(m, {std::nan(""), 0, 0}, 1e-6).ok());
+
+  const auto in = [&](RegionId r, Vec3 p) { return *point_in_region(m, r, p, 1e-6); };
+  EXPECT_EQ(in(solid, {5, 5, 5}), Position::inside);
+  EXPECT_EQ(in(solid, {3.5, 3.5, 3.5}), Position::outside);
+  EXPECT_EQ(in(solid, {3.5, 3.5, 3}), Position::boundary);
+  EXPECT_EQ(in(empty, {3.5, 3.5, 3.5}), Position::inside);
+  EXPECT_EQ(in(solid, {11, 5, 5}), Position::outside);
+  EXPECT_EQ(in(solid, {10, 10, 5}), Position::boundary);
+  EXPECT_FALSE(point_in_region(m, RegionId(7), {}, 1e-6).ok());
+}
+
+TEST(Locate, InteriorPointsDistancesAndNearest) {
+  Nested n;
+  const Model m = built(n.d);
+  const RegionId solid = m.regions()[0];
+  for (const RegionId r : m.topology().regions()) {
+    const auto p = interior_point(m, r);
+    ASSERT_TRUE(p.ok()) << p.error().to_line();
+    EXPECT_EQ(*point_in_region(m, r, *p, 1e-3), Position::inside);
+  }
+  EXPECT_DOUBLE_EQ(*distance_to(m, VertexId(0), {3, 4, 0}), 5);
+  EXPECT_DOUBLE_EQ(*distance_to(m, n.wire, {8, 5, 13}), 5);
+  EXPECT_DOUBLE_EQ(*distance_to(m, solid, {5, 5, 5}), 0);
+  EXPECT_DOUBLE_EQ(*distance_to(m, solid, {5, 5, 12}), 2);
+  EXPECT_NEAR(*distance_to(m, solid, {3.1, 3.2, 3.3}), 0.1, 1e-12) << "in the void";
+  EXPECT_DOUBLE_EQ(*distance_to(m, solid, {13, 14, 5}), 5);
+  EXPECT_EQ(*nearest(m, EntityKind::vertex, {1, 1, 8}), EntityRef(n.inner_point));
+  EXPECT_EQ(*nearest(m, EntityKind::edge, {8.1, 8, 5}), EntityRef(n.wire));
+  const auto face = nearest(m, EntityKind::face, {5, 5, 10.5});
+  ASSERT_TRUE(face.ok());
+  EXPECT_DOUBLE_EQ(*distance_to(m, *face, {5, 5, 10}), 0);
+  EXPECT_EQ(*nearest(m, EntityKind::region, {100, 0, 0}), EntityRef(solid));
+  EXPECT_EQ(nearest(Model(), EntityKind::face, {}).error().code, errors::unknown_entity);
+}
+
+TEST(Locate, CurvedFaces) {
+  Draft d;
+  add_half_torus(d, 5, 2);
+  const Model m = built(d);
+  const RegionId solid = m.regions()[0];
+  EXPECT_EQ(*point_in_region(m, solid, {0, 5, 0}, 1e-6), Position::inside);
+  EXPECT_EQ(*point_in_region(m, solid, {0, -5, 0}, 1e-6), Position::outside);
+  EXPECT_EQ(*point_in_region(m, solid, {0, 0, 0}, 1e-6), Position::outside);
+  EXPECT_EQ(*point_in_region(m, solid, {0, 5, 2}, 1e-6), Position::boundary);
+  EXPECT_EQ(*point_in_region(m, solid, {5, 0, 0}, 1e-6), Position::boundary);
+  EXPECT_NEAR(*distance_to(m, FaceId(0), {0, 5, 0.5}), 1.5, 1e-12);
+  // The nearest point of the whole torus is on the missing half.
+  EXPECT_NEAR(*distance_to(m, FaceId(0), {0, -1, 0}), std::hypot(1, 3), 1e-9);
+  EXPECT_NEAR(*distance_to(m, FaceId(0), {0, -9, 0}), std::hypot(9, 3), 1e-9);
+}
