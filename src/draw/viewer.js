@@ -72,7 +72,7 @@ const axes = () => {
 const slope = Math.tan(15 * Math.PI / 180);  // half the angle of sight in perspective
 const size = () => [canvas.clientWidth || 1, canvas.clientHeight || 1];
 const distance = () => state.height / 2 / slope;
-const reach = () => scene.size * (1 + state.explode) + Math.hypot(...state.target);
+const reach = () => 0.52 * scene.size * (1 + state.explode) + Math.hypot(...state.target);
 
 // Projection of view coordinates (right, up, towards the eye, from the target) to clip space, by columns.
 const projection = () => {
@@ -84,35 +84,54 @@ const projection = () => {
 };
 
 const fit = () => {
-  const {right, up, back} = axes(), box = [1e300, -1e300, 1e300, -1e300, 1e300, -1e300];
-  const take = (x, y, z, way) => {
-    const p = [x + state.explode * way[0], y + state.explode * way[1], z + state.explode * way[2]];
-    [right, up, back].forEach((axis, k) => {
-      const v = dot(p, axis);
-      box[2 * k] = Math.min(box[2 * k], v);
-      box[2 * k + 1] = Math.max(box[2 * k + 1], v);
-    });
+  const {right, up, back} = axes(), seen = [];
+  const take = (array, [first, count], way) => {
+    for (let v = 3 * first; v < 3 * (first + count); v += 3) {
+      const p = [0, 1, 2].map(k => array[v + k] + state.explode * way[k]);
+      seen.push(dot(p, right), dot(p, up), dot(p, back));
+    }
   };
-  for (const item of items) {
-    if (!shown(item.region)) continue;
-    const [first, count] = faces[item.face].points, way = wayOf(item.region);
-    for (let v = first; v < first + count; ++v) take(points[3 * v], points[3 * v + 1], points[3 * v + 2], way);
+  for (const item of items) if (shown(item.region)) take(points, faces[item.face].points, wayOf(item.region));
+  for (const stroke of strokes) if (shown(stroke.region)) take(places, edges[stroke.edge].places, wayOf(stroke.region));
+  for (const m of marks) take(m.place, [0, 1], [0, 0, 0]);
+  if (!seen.length) return;
+  const extent = (k, of) => {
+    let low = Infinity, high = -Infinity;
+    for (let i = 0; i < seen.length; i += 3) {
+      const v = of(i, k);
+      if (v < low) low = v;
+      if (v > high) high = v;
+    }
+    return [low, high];
+  };
+  const flat = (i, k) => seen[i + k];
+  const c = [0, 1, 2].map(k => { const [low, high] = extent(k, flat); return (low + high) / 2; });
+  // Room for the cards: what is free lies a little to the left of and above the middle of the window.
+  const [w, h] = size(), aside = w > 1000 ? 280 : 20;
+  const freeW = Math.max(w - aside - 40, w / 2), freeH = Math.max(h - 150, h / 2);
+  let width = 0, height = 0;
+  if (!state.deep) {
+    [width, height] = [0, 1].map(k => { const [low, high] = extent(k, flat); return high - low; });
+    state.height = Math.max(height * h / freeH, width * h / freeW, 1e-9 * scene.size);
+  } else {
+    // The nearest eye from which all is inside the picture; then the middle of what is seen is made its middle, and again.
+    for (let round = 0; round < 8; ++round) {
+      let d = 0.02 * scene.size;
+      for (let i = 0; i < seen.length; i += 3) {
+        const z = seen[i + 2] - c[2];
+        d = Math.max(d, z + Math.max(Math.abs(seen[i] - c[0]) * h / freeW, Math.abs(seen[i + 1] - c[1]) * h / freeH) / slope, z + 0.02 * scene.size);
+      }
+      state.height = 2 * slope * d;
+      for (const k of [0, 1]) {
+        const [low, high] = extent(k, i => (seen[i + k] - c[k]) / (d - seen[i + 2] + c[2]));
+        c[k] += (low + high) / 2 * d;
+      }
+    }
   }
-  for (const stroke of strokes) {
-    if (!shown(stroke.region)) continue;
-    const [first, count] = edges[stroke.edge].places, way = wayOf(stroke.region);
-    for (let v = first; v < first + count; ++v) take(places[3 * v], places[3 * v + 1], places[3 * v + 2], way);
-  }
-  for (const m of marks) take(...m.place, [0, 0, 0]);
-  if (box[0] > box[1]) return;
-  const [w, h] = size(), top = 60, bottom = 90, side = w > 1000 ? 280 : 20;  // room for the cards
-  const middle = [0, 2, 4].map(k => (box[k] + box[k + 1]) / 2);
-  const usableW = Math.max(w - side - 40, w / 2), usableH = Math.max(h - top - bottom, h / 2);
-  const deepen = state.deep ? 1 + (box[5] - box[4]) / scene.size * 0.35 : 1;
-  state.height = Math.max((box[3] - box[2]) * h / usableH, (box[1] - box[0]) * h / usableW, 1e-9 * scene.size) * deepen;
   const pixel = state.height / h;
-  const dx = middle[0] + (side - 20) / 2 * pixel * (usableW > w / 2 ? 1 : 0), dy = middle[1] - (bottom - top) / 2 * pixel;
-  state.target = [0, 1, 2].map(k => dx * right[k] + dy * up[k] + middle[2] * back[k]);
+  if (freeW > w / 2) c[0] += (aside - 20) / 2 * pixel;
+  if (freeH > h / 2) c[1] -= 15 * pixel;
+  state.target = [0, 1, 2].map(k => c[0] * right[k] + c[1] * up[k] + c[2] * back[k]);
 };
 const look = name => {
   [state.yaw, state.pitch] = views[name] || views.iso;
@@ -165,13 +184,17 @@ const lineVertex = `#version 300 es
 precision highp float;
 in vec3 start; in vec3 end; in vec3 way; in vec4 color; in float region;
 uniform mat4 projection; uniform mat3 turn; uniform vec3 target; uniform float explode; uniform vec2 screen; uniform float width; uniform bool edges;
-uniform sampler2D states;
+uniform sampler2D states; uniform float away; uniform float lift;
 out vec4 paint;
+// Edges are lifted a little towards the eye, out of the faces they bound.
+vec4 place(vec3 p) {
+  vec3 v = turn * (p + explode * way - target);
+  return projection * vec4(away > 0.0 ? mix(v, vec3(0.0, 0.0, away), lift / away) : v + vec3(0.0, 0.0, lift), 1.0);
+}
 void main() {
   int i = int(region + 0.5);
   bool hidden = region < -0.5 ? false : !edges || i > 0 && texelFetch(states, ivec2((i - 1) & 1023, (i - 1) >> 10), 0).r > 0.5;
-  vec4 a = projection * vec4(turn * (start + explode * way - target), 1.0);
-  vec4 b = projection * vec4(turn * (end + explode * way - target), 1.0);
+  vec4 a = place(start), b = place(end);
   float least = 1e-4;
   if (a.w < least && b.w < least) hidden = true;
   if (a.w < least) a = mix(a, b, (least - a.w) / (b.w - a.w));
@@ -181,14 +204,13 @@ void main() {
   vec4 c = (gl_VertexID & 1) == 0 ? a : b;
   vec2 off = vec2(-along.y, along.x) * ((gl_VertexID & 2) == 0 ? -1.0 : 1.0) + along * ((gl_VertexID & 1) == 0 ? -0.5 : 0.5);
   c.xy += off * width / screen * c.w;
-  c.z -= 0.0012 * c.w;
   paint = color;
   gl_Position = hidden ? vec4(2.0, 2.0, 2.0, 1.0) : c;
 }`;
 const lineFragment = `#version 300 es
 precision mediump float;
-in vec4 paint; out vec4 result;
-void main() { result = paint; }`;
+in vec4 paint; uniform float alpha; out vec4 result;
+void main() { result = vec4(paint.rgb, alpha); }`;
 
 const makeWebGL = () => {
   if (wanted.has('canvas')) return null;
@@ -318,12 +340,12 @@ const makeWebGL = () => {
       gl.uniform3fv(at.target, state.target);
       gl.uniform1f(at.explode, state.explode);
       gl.uniform1i(at.states, 0);
+      gl.uniform1f(at.away, state.deep ? distance() : 0);
     };
     common(mesh);
     gl.bindTexture(gl.TEXTURE_2D, itemStates.t);
     gl.uniform3fv(mesh.at.key, keyLight);
     gl.uniform3fv(mesh.at.fill, fillLight);
-    gl.uniform1f(mesh.at.away, state.deep ? distance() : 0);
     gl.uniform1f(mesh.at.alpha, state.glass ? 0.32 : 1);
     gl.bindVertexArray(meshArray);
     if (state.glass) {
@@ -336,8 +358,10 @@ const makeWebGL = () => {
         gl.drawElements(gl.TRIANGLES, indexCount, gl.UNSIGNED_INT, 0);
       }
       gl.disable(gl.CULL_FACE);
-      gl.disable(gl.BLEND);
       gl.depthMask(true);
+      gl.colorMask(false, false, false, false);  // depth alone, to tell the edges behind from those before
+      gl.drawElements(gl.TRIANGLES, indexCount, gl.UNSIGNED_INT, 0);
+      gl.colorMask(true, true, true, true);
     } else {
       gl.drawElements(gl.TRIANGLES, indexCount, gl.UNSIGNED_INT, 0);
     }
@@ -345,9 +369,18 @@ const makeWebGL = () => {
     gl.bindTexture(gl.TEXTURE_2D, regionStates.t);
     gl.uniform2f(line.at.screen, canvas.width, canvas.height);
     gl.uniform1f(line.at.width, 1.5 * scale);
+    gl.uniform1f(line.at.lift, 2.5 * state.height / h);
     gl.bindVertexArray(lineArray);
     gl.uniform1i(line.at.edges, state.lines ? 1 : 0);  // points are always there
-    if (total > 0) gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, total);
+    gl.depthMask(!state.glass);
+    for (const behind of state.glass ? [true, false] : [false]) {
+      gl.depthFunc(behind ? gl.GREATER : gl.LEQUAL);
+      gl.uniform1f(line.at.alpha, behind ? 0.3 : 1);
+      if (total > 0) gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, total);
+    }
+    gl.depthMask(true);
+    gl.depthFunc(gl.LESS);
+    gl.disable(gl.BLEND);
   };
   canvas.addEventListener('webglcontextlost', e => { e.preventDefault(); location.reload(); });
   return {name: 'webgl', paint};
