@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "occt/shape_reader.h"
 
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepClass3d.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
@@ -159,9 +161,9 @@ class Reader {
         }
       }
     }
-    Box3 box;
-    for (int v = 1; v <= maps_.vertices.Extent(); ++v) box.add(point(v));
-    negligible_ = box.empty() ? 0 : 5e-10 * box.diagonal();
+    Bnd_Box box;
+    BRepBndLib::Add(shape_, box, Standard_False);
+    negligible_ = box.IsVoid() ? 0 : 5e-10 * std::sqrt(box.SquareExtent());
   }
 
   Vec3 point(int vertex) const { return to_vec(BRep_Tool::Pnt(TopoDS::Vertex(maps_.vertices(vertex)))); }
