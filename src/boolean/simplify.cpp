@@ -220,9 +220,11 @@ class Simplifier {
     }
     const EdgeGeometry &ga = model_.geometry(a.edge), &gb = model_.geometry(b.edge);
     if (!ga.curve.valid() || ga.curve != gb.curve || a.end == b.end) return false;
-    const EdgeGeometry &low = a.end == 1 ? ga : gb, &high = a.end == 1 ? gb : ga;
-    return std::abs(low.range.high - high.range.low) <= 1e-12 * (1 + std::abs(high.range.low)) &&
-           same_images(a.edge, b.edge);
+    const bool a_first = a.end == 1;
+    const EdgeId first = a_first ? a.edge : b.edge, second = a_first ? b.edge : a.edge;
+    const double gap = model_.range(first).high - model_.range(second).low, period = model_.curve(ga.curve).period();
+    const double left = period > 0 ? gap - period * std::round(gap / period) : gap;
+    return std::abs(left) <= 1e-12 * (1 + std::abs(gap)) && same_images(first, second, gap);
   }
 
   bool only_planes(EdgeId e) const {
@@ -233,7 +235,8 @@ class Simplifier {
   }
 
   /// On curved faces the images must be one line in the parameter plane, so that the first one serves the whole chain.
-  bool same_images(EdgeId a, EdgeId b) const {
+  /// `gap` is what the curve's parameter of b lacks (whole periods) to go on from a's.
+  bool same_images(EdgeId a, EdgeId b, double gap) const {
     for (const CoedgeId c : k_.coedges(a)) {
       const Curve2* image = model_.pcurve(c);
       if (image == nullptr) continue;
@@ -247,7 +250,7 @@ class Simplifier {
         const Line2* second = other->get_if<Line2>();
         const Vec2 move = merging_.shift[k_.face(d).index()] - merging_.shift[k_.face(c).index()];
         found = found || (second != nullptr && norm(second->direction - line->direction) <= 1e-12 &&
-                          norm(second->origin + move - line->origin) <= image_tolerance);
+                          norm(second->origin + move - gap * line->direction - line->origin) <= image_tolerance);
       }
       if (!found) return false;
     }

@@ -115,7 +115,9 @@ class Extractor {
       g.curve = CurveId();
       g.range = {0, distance(source_.point(first), source_.point(last))};
     } else {
-      g.range = {source_.range(chain.front().edge).low, source_.range(chain.back().edge).high};
+      double length = 0;  // a chain may run over the end of a period
+      for (const Merging::Link& link : chain) length += source_.range(link.edge).length();
+      g.range = {g.range.low, g.range.low + length};
     }
     return g;
   }
@@ -257,11 +259,13 @@ class Extractor {
     for (const FaceId f : from_.faces) {
       for (int side = 0; side < 2; ++side) cells.of_face_use.push_back(cell_[k_.region(FaceUse(f, side)).index()]);
     }
-    std::vector<bool> on_face(k_.edge_count(), false), used(k_.vertex_count(), false);
-    for (const CoedgeId c : coedges_) on_face[k_.edge(c).index()] = true;
+    std::vector<bool> on_face(from_.edges.size(), false), used(k_.vertex_count(), false);
+    for (const CoedgeId c : coedges_) on_face[new_edge_[k_.edge(c).index()].index()] = true;
+    for (const EdgeId e : k_.edges()) {
+      if (keep_.edges[e.index()]) used[k_.start(e).index()] = used[k_.end(e).index()] = true;
+    }
     for (const EdgeId e : from_.edges) {
-      used[k_.start(e).index()] = used[k_.end(e).index()] = true;
-      cells.of_edge.push_back(on_face[e.index()] ? none : cell_[region_at(e).index()]);
+      cells.of_edge.push_back(on_face[new_edge_[e.index()].index()] ? none : cell_[region_at(e).index()]);
     }
     for (const VertexId v : point_in_face_) used[v.index()] = true;
     for (const VertexId v : from_.vertices)
