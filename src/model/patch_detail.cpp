@@ -67,6 +67,8 @@ Patch::Patch(const Surface& surface, const Range2& box, bool swapped, const Patc
     }
   } else if (const auto* cone = surface.get_if<Cone>()) {
     low_end = high_end = -cone->radius / std::sin(cone->half_angle);
+    sign_ = v0_ < *low_end ? -1 : 1;
+    start_at_singular_end(along, *low_end);
   } else if (surface.get_if<FreeSurface>() != nullptr) {
     const Range2 domain = surface.domain();
     const Range d = swapped ? domain.u : domain.v, across = swapped ? domain.v : domain.u;
@@ -88,6 +90,8 @@ Patch::Patch(const Surface& surface, const Range2& box, bool swapped, const Patc
     } else {
       if (collapsed(d.low)) low_end = d.low;
       if (collapsed(d.high)) high_end = d.high;
+      if (high_end && !empty) start_at_singular_end(along, *high_end);
+      if (low_end && !empty) start_at_singular_end(along, *low_end);
       closed = low_end && high_end && (swapped ? period.y : period.x) > 0;
     }
     if (std::string_view(surface.kind()) == "nurbs" && std::isfinite(domain.u.length()) &&
@@ -103,6 +107,13 @@ Patch::Patch(const Surface& surface, const Range2& box, bool swapped, const Patc
       }
     }
   }
+}
+
+// Near an apex or pole the image of an edge means little: an edge that misses the point by a rounding runs half around it.
+// Strips that start there are empty there, so that it does not matter.
+void Patch::start_at_singular_end(Range along, double end) {
+  const double near = 1e-3 * along.length();
+  if (std::abs(along.low - end) <= near || std::abs(along.high - end) <= near) v0_ = end;
 }
 
 PatchMoments Patch::strip(double u, double v) const {
@@ -135,7 +146,7 @@ PatchMoments Patch::ruled(double u, double v) const {
     // Normal at distance p from the apex: p m. The part along d vanishes, so q.m = apex.m.
     const double k = dot(apex, handedness(cone.frame) * sn * (cs * f.radial - sn * f.z));
     k0 = k * p0, k1 = k;
-    a0 = std::abs(p0 * sn), a1 = p0 < 0 ? -std::abs(sn) : std::abs(sn);
+    a0 = std::abs(p0 * sn), a1 = sign_ * std::abs(sn);
   }
   PatchMoments m{};
   m[0] = w * (a0 + 0.5 * w * a1);

@@ -38,6 +38,7 @@ class Patch {
   bool closed = false;
 
  private:
+  void start_at_singular_end(Range along, double end);
   PatchMoments ruled(double u, double v) const;
   PatchMoments round(double u, double v) const;
   PatchMoments free(double u, double v) const;

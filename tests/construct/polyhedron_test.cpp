@@ -87,7 +87,7 @@ TEST(Polyhedron, WrongInputIsRefusedAndNamed) {
   expect_error(polyhedron(points, one_turned), errors::inside_out, "do not look the same way");
   auto bent = points;
   bent[7].z += 0.01;
-  expect_error(polyhedron(bent, faces), errors::not_planar, "face 1 do not lie in one plane");
+  expect_error(polyhedron(bent, faces), errors::not_planar, "face 5 do not lie in one plane");
   auto crossed = faces;
   std::swap(crossed[0].loops[0][1], crossed[0].loops[0][2]);
   expect_error(polyhedron(points, crossed), errors::bad_size, "face 0 has no area");
