@@ -91,12 +91,18 @@ class InpWriter {
 
   Result<std::string> run() {
     for (const auto& block : mesh_.blocks) {
-      if (dimension(block.type) >= 2) entity_names_[block.entity] = names_.make(std::string(to_string(block.entity.kind)) + "_" + std::to_string(block.entity.index));
+      if (dimension(block.type) >= 2)
+        entity_names_[block.entity] =
+            names_.make(std::string(to_string(block.entity.kind)) + "_" + std::to_string(block.entity.index));
     }
     for (const auto& set : mesh_.sets) set_names_.push_back(names_.make(set.name));
     number_elements();
     if (element_total_ == 0) {
-      return Error{errors::exchange_bad_mesh, "the mesh has no volume elements to write", {}, {}, "ask for shells to write surface elements"};
+      return Error{errors::exchange_bad_mesh,
+                   "the mesh has no volume elements to write",
+                   {},
+                   {},
+                   "ask for shells to write surface elements"};
     }
     head();
     nodes();
@@ -116,7 +122,8 @@ class InpWriter {
   bool written(std::size_t block) const { return first_element_[block] != 0; }
 
   const ElementSide* find_side(const std::array<std::uint32_t, 4>& key) const {
-    const auto found = std::lower_bound(sides_.begin(), sides_.end(), key, [](const ElementSide& s, const auto& k) { return s.key < k; });
+    const auto found = std::lower_bound(sides_.begin(), sides_.end(), key,
+                                        [](const ElementSide& s, const auto& k) { return s.key < k; });
     return found != sides_.end() && found->key == key ? &*found : nullptr;
   }
 
@@ -126,7 +133,9 @@ class InpWriter {
       const auto& block = mesh_.blocks[b];
       const int dim = dimension(block.type);
       if (block.size() == 0 || dim < 2) continue;
-      if (dim == 2 && (!options_.shells || find_side(side_key(block.nodes.data(), corner_count(block.type))) != nullptr)) continue;
+      if (dim == 2 &&
+          (!options_.shells || find_side(side_key(block.nodes.data(), corner_count(block.type))) != nullptr))
+        continue;
       first_element_[b] = element_total_ + 1;
       element_total_ += block.size();
     }
@@ -136,7 +145,8 @@ class InpWriter {
     text_ << "*HEADING\nMesh written by Aresta\n";
     text_ << "** " << mesh_.nodes.size() << " nodes, " << element_total_ << " elements\n";
     if (!mesh_.sets.empty()) text_ << "** Names here, and as they were:\n";
-    for (std::size_t i = 0; i < mesh_.sets.size(); ++i) text_ << "**   " << set_names_[i] << " = " << comment(mesh_.sets[i].name) << "\n";
+    for (std::size_t i = 0; i < mesh_.sets.size(); ++i)
+      text_ << "**   " << set_names_[i] << " = " << comment(mesh_.sets[i].name) << "\n";
   }
 
   void nodes() {
@@ -191,12 +201,13 @@ class InpWriter {
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     if (nodes.empty()) return;
     text_ << "*NSET, NSET=" << name;
-    for (std::size_t i = 0; i < nodes.size(); ++i) text_ << (i % 12 == 0 ? "\n" : ", ") << nodes[i] + 1 << (i % 12 == 11 ? "," : "");
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      text_ << (i % 12 == 0 ? "\n" : ", ") << nodes[i] + 1 << (i % 12 == 11 ? "," : "");
     text_ << "\n";
   }
 
-  /// Sides of volume elements on the faces. Between two regions: the side of the region behind the face (the face's normal
-  /// looks out of it), so that pressure on it acts against the normal.
+  /// Sides of volume elements on the faces. Between two regions: the side of the region behind the face (the face's
+  /// normal looks out of it), so that pressure on it acts against the normal.
   void surface(const std::string& name, const std::vector<EntityRef>& entities) {
     Text lines;
     for (const auto& block : mesh_.blocks) {
@@ -222,7 +233,10 @@ class InpWriter {
     const auto step = static_cast<std::size_t>(node_count(block.type));
     const int count = corners[3] < 0 ? 3 : 4;
     for (int i = 0; i < count; ++i) {
-      const auto node = [&](int k) { return block.nodes[side.element * step + static_cast<std::size_t>(corners[static_cast<std::size_t>(k % count)])]; };
+      const auto node = [&](int k) {
+        return block
+            .nodes[side.element * step + static_cast<std::size_t>(corners[static_cast<std::size_t>(k % count)])];
+      };
       if (node(i) == nodes[0]) return node(i + 1) == nodes[1];
     }
     return false;

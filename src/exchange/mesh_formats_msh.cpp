@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gmsh's MSH format as text, versions 2.2 and 4.1. Source: the format's chapter in Gmsh's reference manual.
+#include "exchange/mesh_formats_msh.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -7,7 +9,6 @@
 #include "base/files.h"
 #include "exchange/errors.h"
 #include "exchange/mesh_formats.h"
-#include "exchange/mesh_formats_msh.h"
 #include "exchange/mesh_formats_text.h"
 #include "math/box.h"
 
@@ -23,7 +24,8 @@ class MshWriter {
  public:
   explicit MshWriter(const Mesh& mesh) : mesh_(mesh) {
     for (std::size_t s = 0; s < mesh.sets.size(); ++s) {
-      for (const EntityRef entity : mesh.sets[s].entities) add_group(mesh.sets[s].name, static_cast<int>(s) + 1, entity);
+      for (const EntityRef entity : mesh.sets[s].entities)
+        add_group(mesh.sets[s].name, static_cast<int>(s) + 1, entity);
     }
     int next = static_cast<int>(mesh.sets.size());
     for (const auto& block : mesh.blocks) {
@@ -101,8 +103,8 @@ class MshWriter {
     for (const int number : found->second) text_ << ' ' << number;
   }
 
-  /// Which entities bound which, told from the mesh: a vertex bounds the edge whose line ends there, an edge the face that
-  /// has its lines on one side only, a face the region that has its triangles on one side only.
+  /// Which entities bound which, told from the mesh: a vertex bounds the edge whose line ends there, an edge the face
+  /// that has its lines on one side only, a face the region that has its triangles on one side only.
   std::map<EntityRef, std::vector<std::int64_t>> boundaries() const {
     std::map<EntityRef, std::vector<std::int64_t>> bounds;
     std::map<std::uint32_t, EntityRef> vertex_at;
@@ -115,16 +117,19 @@ class MshWriter {
       for (std::size_t i = 0; i < block.nodes.size(); i += step) {
         --ends[block.nodes[i]];
         ++ends[block.nodes[i + 1]];
-        edge_at[{std::min(block.nodes[i], block.nodes[i + 1]), std::max(block.nodes[i], block.nodes[i + 1])}] = block.entity;
+        edge_at[{std::min(block.nodes[i], block.nodes[i + 1]), std::max(block.nodes[i], block.nodes[i + 1])}] =
+            block.entity;
       }
       for (const auto& [node, balance] : ends) {
         const auto vertex = vertex_at.find(node);
-        if (balance != 0 && vertex != vertex_at.end()) bounds[block.entity].push_back(balance * std::int64_t{tag(vertex->second)});
+        if (balance != 0 && vertex != vertex_at.end())
+          bounds[block.entity].push_back(balance * std::int64_t{tag(vertex->second)});
       }
     }
     for (const auto& block : mesh_.blocks) {
       if (dimension(block.type) != 2) continue;
-      const auto step = static_cast<std::size_t>(node_count(block.type)), corners = static_cast<std::size_t>(corner_count(block.type));
+      const auto step = static_cast<std::size_t>(node_count(block.type)),
+                 corners = static_cast<std::size_t>(corner_count(block.type));
       std::map<Side, int> uses;
       for (std::size_t i = 0; i < block.nodes.size(); i += step) {
         for (std::size_t k = 0; k < corners; ++k) {
@@ -144,7 +149,8 @@ class MshWriter {
     for (const auto& block : mesh_.blocks) {
       if (dimension(block.type) != 2 || block.nodes.empty()) continue;
       const auto key = side_key(block.nodes.data(), corner_count(block.type));
-      auto found = std::lower_bound(sides.begin(), sides.end(), key, [](const ElementSide& s, const auto& k) { return s.key < k; });
+      auto found = std::lower_bound(sides.begin(), sides.end(), key,
+                                    [](const ElementSide& s, const auto& k) { return s.key < k; });
       std::vector<EntityRef> regions;
       for (; found != sides.end() && found->key == key; ++found) regions.push_back(mesh_.blocks[found->block].entity);
       // A sheet inside a region has the same one on both sides and bounds nothing.
@@ -198,7 +204,8 @@ class MshWriter {
       const EntityRef entity = mesh_.blocks[b].entity;
       text_ << static_cast<int>(entity.kind) << ' ' << tag(entity) << " 0 " << owned[b].size() << "\n";
       for (const std::uint32_t n : owned[b]) text_ << n + 1 << '\n';
-      for (const std::uint32_t n : owned[b]) text_ << mesh_.nodes[n].x << ' ' << mesh_.nodes[n].y << ' ' << mesh_.nodes[n].z << '\n';
+      for (const std::uint32_t n : owned[b])
+        text_ << mesh_.nodes[n].x << ' ' << mesh_.nodes[n].y << ' ' << mesh_.nodes[n].z << '\n';
     }
     text_ << "$EndNodes\n";
   }
@@ -219,7 +226,8 @@ class MshWriter {
     text_ << "$Elements\n" << groups << ' ' << count << " 1 " << count << "\n";
     for (const auto& block : mesh_.blocks) {
       if (block.size() == 0) continue;
-      text_ << static_cast<int>(block.entity.kind) << ' ' << tag(block.entity) << ' ' << msh_type(block.type) << ' ' << block.size() << "\n";
+      text_ << static_cast<int>(block.entity.kind) << ' ' << tag(block.entity) << ' ' << msh_type(block.type) << ' '
+            << block.size() << "\n";
       for (std::size_t e = 0; e < block.size(); ++e) {
         text_ << ++number;
         element_nodes(block, e);
@@ -249,8 +257,8 @@ class MshWriter {
   }
 
   const Mesh& mesh_;
-  std::map<EntityRef, std::vector<int>> groups_;           // physical groups of an entity
-  std::map<std::pair<int, int>, std::string> names_;       // by dimension and number
+  std::map<EntityRef, std::vector<int>> groups_;      // physical groups of an entity
+  std::map<std::pair<int, int>, std::string> names_;  // by dimension and number
   Text text_;
 };
 
@@ -263,7 +271,9 @@ int msh_type(ElementType type) {
   return types[static_cast<int>(type)];
 }
 
-std::string made_up_region_name(std::uint32_t index) { return "region_" + std::to_string(index); }
+std::string made_up_region_name(std::uint32_t index) {
+  return "region_" + std::to_string(index);
+}
 
 }  // namespace mesh_formats
 

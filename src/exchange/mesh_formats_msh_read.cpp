@@ -38,7 +38,8 @@ class Words {
     const std::string_view w = word();
     T value{};
     const auto end = std::from_chars(w.data(), w.data() + w.size(), value);
-    if (!failed() && (end.ec != std::errc() || end.ptr != w.data() + w.size())) fail("expected a number instead of " + std::string(w.substr(0, 40)));
+    if (!failed() && (end.ec != std::errc() || end.ptr != w.data() + w.size()))
+      fail("expected a number instead of " + std::string(w.substr(0, 40)));
     return failed() ? T{} : value;
   }
   /// A count of things that take at least `least` characters each: a wrong one is caught before memory is asked for.
@@ -94,7 +95,8 @@ class MshReader {
     words_.expect("$MeshFormat");
     const std::string_view version = words_.word();
     const bool v41 = version == "4.1";
-    if (!v41 && version != "2.2") words_.fail("MSH version " + std::string(version.substr(0, 20)) + " is not read, only 2.2 and 4.1");
+    if (!v41 && version != "2.2")
+      words_.fail("MSH version " + std::string(version.substr(0, 20)) + " is not read, only 2.2 and 4.1");
     if (words_.number<int>() != 0) words_.fail("binary MSH files are not read");
     words_.number<int>();
     words_.expect("$EndMeshFormat");
@@ -116,7 +118,8 @@ class MshReader {
       }
       words_.expect("$End" + section.substr(1));
     }
-    if (words_.failed()) return Error{errors::exchange_bad_mesh_file, "the MSH file cannot be read: " + words_.reason()};
+    if (words_.failed())
+      return Error{errors::exchange_bad_mesh_file, "the MSH file cannot be read: " + words_.reason()};
     return finish();
   }
 
@@ -200,7 +203,8 @@ class MshReader {
     const auto count = static_cast<std::size_t>(node_count(type));
     const auto order = msh_order(type);
     std::vector<std::int64_t> nodes(count);
-    for (std::size_t i = 0; i < count; ++i) nodes[order.empty() ? i : static_cast<std::size_t>(order[i])] = words_.number<std::int64_t>();
+    for (std::size_t i = 0; i < count; ++i)
+      nodes[order.empty() ? i : static_cast<std::size_t>(order[i])] = words_.number<std::int64_t>();
     return nodes;
   }
 
@@ -243,16 +247,21 @@ class MshReader {
     Mesh mesh;
     std::sort(nodes_.begin(), nodes_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [tag, p] : nodes_) mesh.nodes.push_back(p);
-    const auto bad = [](const std::string& reason) { return Error{errors::exchange_bad_mesh_file, "the MSH file cannot be read: " + reason}; };
+    const auto bad = [](const std::string& reason) {
+      return Error{errors::exchange_bad_mesh_file, "the MSH file cannot be read: " + reason};
+    };
     for (std::size_t i = 1; i < nodes_.size(); ++i) {
-      if (nodes_[i].first == nodes_[i - 1].first) return bad("node " + std::to_string(nodes_[i].first) + " comes twice");
+      if (nodes_[i].first == nodes_[i - 1].first)
+        return bad("node " + std::to_string(nodes_[i].first) + " comes twice");
     }
     for (const auto& [key, list] : elements_) {
       ElementBlock block{key.second, key.first, {}};
       for (const auto& element : list) {
         for (const std::int64_t tag : element) {
-          const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), tag, [](const auto& n, std::int64_t t) { return n.first < t; });
-          if (found == nodes_.end() || found->first != tag) return bad("an element names node " + std::to_string(tag) + ", which does not exist");
+          const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), tag,
+                                              [](const auto& n, std::int64_t t) { return n.first < t; });
+          if (found == nodes_.end() || found->first != tag)
+            return bad("an element names node " + std::to_string(tag) + ", which does not exist");
           block.nodes.push_back(static_cast<std::uint32_t>(found - nodes_.begin()));
         }
       }
@@ -261,7 +270,9 @@ class MshReader {
     for (const auto& [key, entities] : members_) {
       const auto named = names_.find(key);
       const std::string name = named != names_.end() ? named->second : "group_" + std::to_string(key.first);
-      if (entities.size() == 1 && entities.begin()->kind == EntityKind::region && name == made_up_region_name(entities.begin()->index)) continue;
+      if (entities.size() == 1 && entities.begin()->kind == EntityKind::region &&
+          name == made_up_region_name(entities.begin()->index))
+        continue;
       auto set = std::find_if(mesh.sets.begin(), mesh.sets.end(), [&](const MeshSet& s) { return s.name == name; });
       if (set == mesh.sets.end()) set = mesh.sets.insert(set, MeshSet{name, {}});
       set->entities.insert(set->entities.end(), entities.begin(), entities.end());
@@ -271,15 +282,17 @@ class MshReader {
   }
 
   Words words_;
-  std::map<std::pair<int, int>, std::string> names_;                // by number and dimension
-  std::map<std::pair<int, int>, std::set<EntityRef>> members_;      // by number and dimension
+  std::map<std::pair<int, int>, std::string> names_;            // by number and dimension
+  std::map<std::pair<int, int>, std::set<EntityRef>> members_;  // by number and dimension
   std::vector<std::pair<std::int64_t, Vec3>> nodes_;
   std::map<std::pair<EntityRef, ElementType>, std::vector<std::vector<std::int64_t>>> elements_;
 };
 
 }  // namespace
 
-Result<Mesh> from_msh(const std::string& text) { return MshReader(text).run(); }
+Result<Mesh> from_msh(const std::string& text) {
+  return MshReader(text).run();
+}
 
 Result<Mesh> read_msh(const std::string& path) {
   ARESTA_TRY(const std::string text, read_file(path));

@@ -10,14 +10,17 @@ namespace aresta::mesh_formats {
 
 Status check_mesh(const Mesh& mesh) {
   for (const Vec3& p : mesh.nodes) {
-    if (!is_finite(p)) return Error{errors::exchange_bad_mesh, "a node of the mesh has a coordinate that is not a finite number"};
+    if (!is_finite(p))
+      return Error{errors::exchange_bad_mesh, "a node of the mesh has a coordinate that is not a finite number"};
   }
   for (const auto& block : mesh.blocks) {
     if (block.nodes.size() % static_cast<std::size_t>(node_count(block.type)) != 0) {
       return Error{errors::exchange_bad_mesh, "a block of the mesh holds part of an element", {block.entity}};
     }
     for (const std::uint32_t n : block.nodes) {
-      if (n >= mesh.nodes.size()) return Error{errors::exchange_bad_mesh, "an element of the mesh names a node that does not exist", {block.entity}};
+      if (n >= mesh.nodes.size())
+        return Error{
+            errors::exchange_bad_mesh, "an element of the mesh names a node that does not exist", {block.entity}};
     }
   }
   return {};
@@ -52,9 +55,12 @@ std::span<const int> inp_order(ElementType type) {
 std::span<const std::array<int, 4>> corner_sides(ElementType type) {
   // Abaqus' order of sides, corners counterclockwise from outside; -1 pads triangles.
   static constexpr std::array<int, 4> tetra[] = {{0, 2, 1, -1}, {0, 1, 3, -1}, {1, 2, 3, -1}, {2, 0, 3, -1}};
-  static constexpr std::array<int, 4> wedge[] = {{0, 2, 1, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
-  static constexpr std::array<int, 4> wedge_vtk[] = {{0, 1, 2, -1}, {3, 5, 4, -1}, {0, 3, 5, 2}, {2, 5, 4, 1}, {1, 4, 3, 0}};
-  static constexpr std::array<int, 4> hexa[] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  static constexpr std::array<int, 4> wedge[] = {
+      {0, 2, 1, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
+  static constexpr std::array<int, 4> wedge_vtk[] = {
+      {0, 1, 2, -1}, {3, 5, 4, -1}, {0, 3, 5, 2}, {2, 5, 4, 1}, {1, 4, 3, 0}};
+  static constexpr std::array<int, 4> hexa[] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   switch (type) {
     case ElementType::tetra4:
     case ElementType::tetra10:
@@ -91,7 +97,8 @@ std::vector<ElementSide> volume_sides(const Mesh& mesh) {
         for (const int c : list[s]) {
           if (c >= 0) corners[count++] = block.nodes[e * step + static_cast<std::size_t>(c)];
         }
-        sides.push_back({side_key(corners, count), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(e), static_cast<int>(s)});
+        sides.push_back({side_key(corners, count), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(e),
+                         static_cast<int>(s)});
       }
     }
   }

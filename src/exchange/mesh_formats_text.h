@@ -30,8 +30,7 @@ class Text {
     return *this;
   }
   template <std::integral T>
-    requires(!std::same_as<T, char>)
-  Text& operator<<(T number) {
+  requires(!std::same_as<T, char>) Text& operator<<(T number) {
     char buffer[24];
     text_.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
     return *this;
@@ -58,7 +57,7 @@ std::span<const int> inp_order(ElementType type);
 struct ElementSide {
   std::array<std::uint32_t, 4> key{};  ///< sorted corner nodes; the last is 0xffffffff for a triangle
   std::uint32_t block = 0, element = 0;
-  int side = 0;          ///< from 0, in Abaqus' order
+  int side = 0;  ///< from 0, in Abaqus' order
 };
 
 /// All corner sides of volume elements, sorted by key, then block and element.

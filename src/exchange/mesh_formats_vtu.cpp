@@ -52,7 +52,8 @@ std::string base64(const std::string& bytes) {
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k) word = word << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 3; ++k)
+      word = word << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
     for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[word >> (18 - 6 * k) & 63];
   }
   return text;
@@ -89,8 +90,10 @@ class VtuWriter {
   std::string run() {
     std::size_t cells = 0;
     for (const auto& block : mesh_.blocks) cells += block.size();
-    text_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-          << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << mesh_.nodes.size() << "\" NumberOfCells=\"" << cells << "\">\n<Points>\n";
+    text_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+             "header_type=\"UInt64\">\n"
+          << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << mesh_.nodes.size() << "\" NumberOfCells=\"" << cells
+          << "\">\n<Points>\n";
     std::vector<double> points;
     points.reserve(3 * mesh_.nodes.size());
     for (const Vec3& p : mesh_.nodes) points.insert(points.end(), {p.x, p.y, p.z});
@@ -158,7 +161,9 @@ class VtuWriter {
     array("UInt8", "dimension", per_cell<std::uint8_t>([](const ElementBlock& b) { return dimension(b.type); }));
     array("Int32", "entity", per_cell<std::int32_t>([](const ElementBlock& b) { return b.entity.index; }));
     const auto index_of = [](EntityKind kind) {
-      return [kind](const ElementBlock& b) { return b.entity.kind == kind ? static_cast<std::int32_t>(b.entity.index) : -1; };
+      return [kind](const ElementBlock& b) {
+        return b.entity.kind == kind ? static_cast<std::int32_t>(b.entity.index) : -1;
+      };
     };
     array("Int32", "region", per_cell<std::int32_t>(index_of(EntityKind::region)));
     array("Int32", "face", per_cell<std::int32_t>(index_of(EntityKind::face)));
@@ -188,11 +193,14 @@ Status write_vtu(const Mesh& mesh, const std::string& path, const VtuOptions& op
 }
 
 Status write_mesh(const Mesh& mesh, const std::string& path) {
-  const auto ends = [&](const char* ending) { return path.size() > 4 && path.compare(path.size() - 4, 4, ending) == 0; };
+  const auto ends = [&](const char* ending) {
+    return path.size() > 4 && path.compare(path.size() - 4, 4, ending) == 0;
+  };
   if (ends(".msh")) return write_msh(mesh, path);
   if (ends(".vtu")) return write_vtu(mesh, path);
   if (ends(".inp")) return write_inp(mesh, path);
-  return Error{errors::exchange_bad_mesh, "no mesh format goes with the ending of " + path, {}, {}, "one of .msh, .vtu, .inp"};
+  return Error{
+      errors::exchange_bad_mesh, "no mesh format goes with the ending of " + path, {}, {}, "one of .msh, .vtu, .inp"};
 }
 
 }  // namespace aresta

@@ -23,24 +23,16 @@ class Shapes {
     return it->second;
   }
 
-  /// What lies before and behind the face ended last: a region's number from 1, or 0 for no region.
+  /// What lies before and behind the face ended last: 1 a region, 0 none.
   void set_regions(int front, int back) {
-    cells_.of_face_use.push_back(static_cast<std::uint32_t>(front));
-    cells_.of_face_use.push_back(static_cast<std::uint32_t>(back));
-    region_count_ = std::max({region_count_, front, back});
+    const auto fill = [](int region) { return region > 0 ? Fill::filled : Fill::empty; };
+    builder.set_fill(fill(front), fill(back));
   }
 
-  /// A wire of its own inside a region (0: outside of all).
-  EdgeId wire(Vec3 a, Vec3 b, int region) {
+  /// A straight edge of its own.
+  EdgeId wire(Vec3 a, Vec3 b) {
     bool reversed = false;
-    const EdgeId e = edge(a, b, reversed);
-    wires_[e] = region;
-    return e;
-  }
-  VertexId point(Vec3 p, int region) {
-    const VertexId v = vertex(p);
-    points_[v] = region;
-    return v;
+    return edge(a, b, reversed);
   }
 
   /// Straight; `reversed` tells that it was made the other way round.
@@ -48,7 +40,7 @@ class Shapes {
     const VertexId va = vertex(a), vb = vertex(b);
     reversed = vb < va;
     const auto [it, added] = edges_.try_emplace({std::min(va, vb), std::max(va, vb)}, EdgeId());
-    if (added) it->second = counted(builder.add_edge(std::min(va, vb), std::max(va, vb)));
+    if (added) it->second = builder.add_edge(std::min(va, vb), std::max(va, vb));
     return it->second;
   }
 
@@ -88,7 +80,7 @@ class Shapes {
   /// A circle as one closed edge starting at centre + r x.
   EdgeId circle(const Frame& frame, double radius) {
     const VertexId v = vertex(frame.origin + radius * frame.x);
-    return counted(builder.add_edge(v, v, builder.add_curve(Circle{frame, radius}), {0, 2 * pi}));
+    return builder.add_edge(v, v, builder.add_curve(Circle{frame, radius}), {0, 2 * pi});
   }
 
   /// The side of a cylinder between two circles of radius r about the z axis through `base`, normal outward, with a
@@ -133,8 +125,7 @@ class Shapes {
     const VertexId south = vertex(centre - Vec3{0, 0, radius}), north = vertex(centre + Vec3{0, 0, radius});
     // In the plane of x and z, from -pi/2 to pi/2.
     const Frame meridian{centre, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
-    const EdgeId seam =
-        counted(builder.add_edge(south, north, builder.add_curve(Circle{meridian, radius}), {-pi / 2, pi / 2}));
+    const EdgeId seam = builder.add_edge(south, north, builder.add_curve(Circle{meridian, radius}), {-pi / 2, pi / 2});
     const FaceId f = builder.begin_face(builder.add_surface(Sphere{frame, radius}), false);
     builder.add_coedge(seam, false, Curve2(Line2{{2 * pi, 0}, {0, 1}}));
     builder.add_coedge(seam, true, Curve2(Line2{{0, 0}, {0, 1}}));
@@ -148,10 +139,9 @@ class Shapes {
   FaceId torus(Vec3 centre, double major, double minor, int outside, int inside) {
     const Frame frame{centre};
     const VertexId v = vertex(centre + Vec3{major + minor, 0, 0});
-    const EdgeId equator =
-        counted(builder.add_edge(v, v, builder.add_curve(Circle{frame, major + minor}), {0, 2 * pi}));
+    const EdgeId equator = builder.add_edge(v, v, builder.add_curve(Circle{frame, major + minor}), {0, 2 * pi});
     const Frame section{centre + Vec3{major, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
-    const EdgeId around = counted(builder.add_edge(v, v, builder.add_curve(Circle{section, minor}), {0, 2 * pi}));
+    const EdgeId around = builder.add_edge(v, v, builder.add_curve(Circle{section, minor}), {0, 2 * pi});
     const FaceId f = builder.begin_face(builder.add_surface(Torus{frame, major, minor}), false);
     builder.add_coedge(equator, false, Curve2(Line2{{0, 0}, {1, 0}}));
     builder.add_coedge(around, false, Curve2(Line2{{2 * pi, 0}, {0, 1}}));
@@ -160,6 +150,18 @@ class Shapes {
     builder.close_loop();
     builder.end_face();
     set_regions(outside, inside);
+    return f;
+  }
+
+  /// A plane ring between two circles that run counterclockwise about z, normal up or down; a solid lies behind it.
+  FaceId ring(Vec3 centre, EdgeId outer, EdgeId inner, bool up) {
+    const FaceId f = builder.begin_face(builder.add_surface(Plane{Frame{centre}}), !up);
+    builder.add_coedge(outer, !up);
+    builder.close_loop();
+    builder.add_coedge(inner, up);
+    builder.close_loop();
+    builder.end_face();
+    set_regions(0, 1);
     return f;
   }
 
@@ -186,33 +188,15 @@ class Shapes {
     cylinder_side({}, radius, height, bottom, top, 1, 0);
   }
 
-  /// Regions get the ids 1, 2, ...
   Model model() {
-    cells_.count = static_cast<std::uint32_t>(region_count_) + 1;
-    std::vector<bool> filled(cells_.count, true);
-    filled[0] = false;
-    cells_.of_edge.assign(edge_count_, Incidence::none);
-    for (const auto& [e, region] : wires_) cells_.of_edge[e.index()] = static_cast<std::uint32_t>(region);
-    cells_.of_vertex.assign(vertices_.size(), Incidence::none);
-    for (const auto& [v, region] : points_) cells_.of_vertex[v.index()] = static_cast<std::uint32_t>(region);
-    auto built = builder.build(cells_, filled);
+    auto built = builder.build(Context{});
     if (!built.ok()) throw std::runtime_error(built.error().to_line());
     return std::move(built).value();
   }
 
  private:
-  EdgeId counted(EdgeId e) {
-    edge_count_ = std::max(edge_count_, e.index() + 1);
-    return e;
-  }
-
   std::map<std::array<double, 3>, VertexId> vertices_;
   std::map<std::pair<VertexId, VertexId>, EdgeId> edges_;
-  std::map<EdgeId, int> wires_;
-  std::map<VertexId, int> points_;
-  std::size_t edge_count_ = 0;
-  int region_count_ = 0;
-  Cells cells_;
 };
 
 }  // namespace aresta::test
