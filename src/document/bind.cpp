@@ -56,6 +56,27 @@ Status check_point(const Command& c, const Parameter& p, const std::string& part
   return check_numbers(c, p, part, v, 3, expected);
 }
 
+Status check_points(const Command& c, const Parameter& p, const std::string& part, const Value& v) {
+  if (!v.is_sequence()) return wrong_value(errors::command_type, c, p, part, type_text(Type::points), v);
+  const auto& items = v.items();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    ARESTA_CHECK(check_point(c, p, part + "[" + std::to_string(i) + "]", items[i], type_text(Type::point)));
+  }
+  return {};
+}
+
+/// Point numbers of one loop.
+Status check_loop(const Command& c, const Parameter& p, const std::string& part, const Value& v) {
+  if (!v.is_sequence()) return wrong_value(errors::command_type, c, p, part, "a list of point numbers", v);
+  for (std::size_t i = 0; i < v.items().size(); ++i) {
+    const Value& n = v.items()[i];
+    if (!n.is(Value::Kind::integer) || n.integer() < 0) {
+      return wrong_value(errors::command_type, c, p, part + "[" + std::to_string(i) + "]", "the number of a point, from 0", n);
+    }
+  }
+  return {};
+}
+
 Status check_shapes(const Command& c, const Parameter& p, const std::string& part, const Value& v) {
   if (v.is(Value::Kind::shape)) return {};
   if (!v.is_sequence()) return wrong_value(errors::command_type, c, p, part, type_text(Type::shapes), v);
@@ -101,11 +122,28 @@ Status check(const Command& c, const Parameter& p, const std::string& part, cons
       }
       return {};
     }
-    case Type::points: {
+    case Type::points: return check_points(c, p, part, v);
+    case Type::point_lists: {
       ARESTA_CHECK(expect_kind(v.is_sequence()));
       const auto& items = v.items();
       for (std::size_t i = 0; i < items.size(); ++i) {
-        ARESTA_CHECK(check_point(c, p, part + "[" + std::to_string(i) + "]", items[i], type_text(Type::point)));
+        ARESTA_CHECK(check_points(c, p, part + "[" + std::to_string(i) + "]", items[i]));
+      }
+      return {};
+    }
+    case Type::index_loops: {
+      ARESTA_CHECK(expect_kind(v.is_sequence()));
+      const auto& items = v.items();
+      for (std::size_t i = 0; i < items.size(); ++i) {
+        const std::string place = part + "[" + std::to_string(i) + "]";
+        const bool several = items[i].is_sequence() && !items[i].items().empty() && items[i].items()[0].is_sequence();
+        if (!several) {
+          ARESTA_CHECK(check_loop(c, p, place, items[i]));
+          continue;
+        }
+        for (std::size_t k = 0; k < items[i].items().size(); ++k) {
+          ARESTA_CHECK(check_loop(c, p, place + "[" + std::to_string(k) + "]", items[i].items()[k]));
+        }
       }
       return {};
     }

@@ -15,6 +15,15 @@ std::string short_number(double x) {
   return text;
 }
 
+std::vector<Vec3> as_points(const Value& list) {
+  std::vector<Vec3> out;
+  for (const Value& v : list.items()) {
+    const auto& c = v.items();
+    out.push_back({c[0].number(), c[1].number(), c[2].number()});
+  }
+  return out;
+}
+
 /// The range and choices of a parameter, in words; empty when it takes anything of its type.
 std::string allowed_text(const Parameter& p) {
   std::string text;
@@ -39,6 +48,8 @@ const char* type_text(Type type) {
     case Type::point: return "a point (x, y, z)";
     case Type::direction: return "a direction (x, y, z), not all zero";
     case Type::points: return "a list of points [(x, y, z), ...]";
+    case Type::point_lists: return "a list of lists of points";
+    case Type::index_loops: return "a list of faces, each a list of point numbers (from 0)";
     case Type::shape: return "a shape";
     case Type::shape_or_point: return "a shape or a point (x, y, z)";
     case Type::shapes: return "a shape or a list of shapes";
@@ -87,11 +98,28 @@ std::vector<double> Call::numbers(std::string_view name) const {
   return out;
 }
 
-std::vector<Vec3> Call::points(std::string_view name) const {
-  std::vector<Vec3> out;
-  for (const Value& v : items(name)) {
-    const auto& c = v.items();
-    out.push_back({c[0].number(), c[1].number(), c[2].number()});
+std::vector<Vec3> Call::points(std::string_view name) const { return as_points((*this)[name]); }
+
+std::vector<std::vector<Vec3>> Call::point_lists(std::string_view name) const {
+  std::vector<std::vector<Vec3>> out;
+  for (const Value& v : items(name)) out.push_back(as_points(v));
+  return out;
+}
+
+std::vector<std::vector<std::vector<std::size_t>>> Call::index_loops(std::string_view name) const {
+  const auto loop = [](const Value& v) {
+    std::vector<std::size_t> out;
+    for (const Value& i : v.items()) out.push_back(static_cast<std::size_t>(i.integer()));
+    return out;
+  };
+  std::vector<std::vector<std::vector<std::size_t>>> out;
+  for (const Value& face : items(name)) {
+    auto& loops = out.emplace_back();
+    if (!face.items().empty() && face.items()[0].is_sequence()) {
+      for (const Value& v : face.items()) loops.push_back(loop(v));
+    } else {
+      loops.push_back(loop(face));
+    }
   }
   return out;
 }

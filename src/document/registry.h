@@ -30,6 +30,8 @@ enum class Type {
   point,           ///< three numbers
   direction,       ///< three numbers, not all zero
   points,          ///< a list or tuple of points
+  point_lists,     ///< a list or tuple of such
+  index_loops,     ///< faces by point numbers: each a list of numbers from 0, or a list of such (holes after the outer)
   shape,
   shape_or_point,
   shapes,          ///< a shape, or a list or tuple of shapes
@@ -99,6 +101,8 @@ class Call {
   Vec3 point(std::string_view name) const;
   std::vector<double> numbers(std::string_view name) const;
   std::vector<Vec3> points(std::string_view name) const;
+  std::vector<std::vector<Vec3>> point_lists(std::string_view name) const;
+  std::vector<std::vector<std::vector<std::size_t>>> index_loops(std::string_view name) const;
   ShapePtr shape(std::string_view name) const { return (*this)[name].shape(); }
   /// Of a parameter of type shapes, or a variadic one of that type: all of them, flat.
   std::vector<ShapePtr> shapes(std::string_view name) const;

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// Booleans between groups, fragment, region detection, clean-up, cuts and sections.
+#include <algorithm>
+
+#include "boolean/boolean.h"
+#include "boolean/errors.h"
+#include "boolean/simplify.h"
+#include "construct/primitives.h"
+#include "construct/profiles.h"
+#include "document/commands.h"
+#include "document/construction.h"
+#include "document/errors.h"
+#include "document/operands.h"
+#include "model/inherit.h"
+
+namespace aresta::document {
+
+namespace {
+
+const Parameter regularise{.name = "regularise", .type = Type::boolean, .doc = "keep solids only: no dangling faces, wires or inner walls", .default_value = false, .keyword_only = true};
+const Parameter keep_partitions{.name = "keep_partitions", .type = Type::boolean, .doc = "with regularise: keep the faces between adjoining regions", .default_value = false, .keyword_only = true};
+const Parameter internals{.name = "internals", .type = Type::boolean, .doc = "bring what regions have inside: sheets, wires, points", .default_value = true, .keyword_only = true};
+const std::vector<ErrorCode> boolean_errors = {errors::regions_overlap, errors::empty_group, errors::inconsistent_result, errors::imprint_failed, errors::not_conserved, errors::invalid_model};
+
+bool is_half_space(const ShapePtr& s) { return dynamic_cast<const HalfSpaceShape*>(s.get()) != nullptr; }
+
+/// An empty model: what a union with nothing is made with.
+Result<Model> nothing(const Context& context) { return ModelBuilder().build(context); }
+
+bool holds_nothing(const GroupSpec& group) { return group.members.empty(); }
+
+/// Operands without anything in them are no trouble: they are dropped, and what is left may need no operation at all.
+Result<Value> run_boolean(Call& call, BooleanKind kind, const std::vector<ShapePtr>& shapes) {
+  const bool bounded = kind == BooleanKind::intersect ? !std::all_of(shapes.begin(), shapes.end(), is_half_space)
+                       : kind == BooleanKind::subtract ? !is_half_space(shapes[0])
+                                                       : std::none_of(shapes.begin(), shapes.end(), is_half_space);
+  if (!bounded) return Error{errors::command_type, call.command().name + ": the result would reach to infinity: a half-space can only be intersected with or subtracted"};
+
+  ARESTA_TRY(Operands operands, gather_operands(call, shapes));
+  for (GroupSpec& g : operands.groups) g.internals = call.boolean("internals");
+  BooleanOptions options;
+  options.kind = kind;
+  options.regularise = call.boolean("regularise");
+  options.keep_partitions = call.boolean("keep_partitions");
+  options.fragment.tolerance = call.session().tolerance;
+
+  const bool first_empty = holds_nothing(operands.groups[0]);
+  const bool any_empty = std::any_of(operands.groups.begin(), operands.groups.end(), holds_nothing);
+  if ((kind == BooleanKind::intersect && any_empty) || (kind == BooleanKind::subtract && first_empty) ||
+      std::all_of(operands.groups.begin(), operands.groups.end(), holds_nothing)) {
+    return made(nothing(call.context()));
+  }
+  auto result = boolean(operands.models, operands.groups, options, call.context());
+  if (!result) return std::move(result).error();
+  return made(std::move(result->model));
+}
+
+Result<Value> two_operands(Call& call, BooleanKind kind) {
+  return run_boolean(call, kind, {call.shape("a"), call.shape("b")});
+}
+
+Result<Value> many_operands(Call& call, BooleanKind kind) {
+  const std::vector<ShapePtr> shapes = call.shapes("shapes");
+  if (shapes.size() < 2) {
+    return Error{errors::empty_group, call.command().name + " takes at least two shapes, " + std::to_string(shapes.size()) + (shapes.size() == 1 ? " was given" : " were given")};
+  }
+  return run_boolean(call, kind, shapes);
+}
+
+/// Everything imprinted on everything; all cells kept.
+Result<Value> make_fragment(Call& call, const std::vector<ShapePtr>& shapes) {
+  std::vector<std::shared_ptr<const Model>> models;
+  for (const ShapePtr& s : shapes) {
+    ARESTA_TRY(const ModelShapePtr x, model_shape(call, s, "shapes"));
+    // Only what is listed: sub-entities are taken out of their models first.
+    ARESTA_TRY(std::shared_ptr<Model> model, as_model(*x, call.context()));
+    if (model->topology().vertex_count() == 0) continue;
+    if (std::find(models.begin(), models.end(), model) == models.end()) models.push_back(std::move(model));
+  }
+  if (models.empty()) return made(nothing(call.context()));
+  FragmentOptions options;
+  options.tolerance = call.session().tolerance;
+  ARESTA_TRY(const Fragment pieces, fragment(std::move(models), options, call.context()));
+  Model model = *pieces.model;
+  inherit_labels(model);
+  ARESTA_CHECK(require_valid(model, CheckLevel::fast, call.context()));
+  return made(std::move(model));
+}
+
+Result<Value> classes_of(Call& call, bool counts) {
+  ARESTA_TRY(const Operands operands, gather_operands(call, {call.shape("a"), call.shape("b")}));
+  FragmentOptions options;
+  options.tolerance = call.session().tolerance;
+  ARESTA_TRY(const Classification found, classify(operands.models, operands.groups, options, call.context()));
+  const Value& kind = call["kind"];
+  std::array<std::int64_t, 5> count{};
+  std::vector<Value> list;
+  const auto model = std::make_shared<Model>(*found.fragment->model);
+  for (const auto& [entity, cls] : found.classes) {
+    if (!kind.is_none() && kind.string() != to_string(entity.kind)) continue;
+    ++count[static_cast<std::size_t>(cls)];
+    if (!counts) list.push_back(Value::tuple({Value(shape_of(model, {entity})), Value(to_string(cls))}));
+  }
+  if (!counts) return Value::list(std::move(list));
+  for (std::size_t c = 0; c < count.size(); ++c) {
+    list.push_back(Value::tuple({Value(to_string(static_cast<Class>(c))), Value(count[c])}));
+  }
+  return Value::list(std::move(list));
+}
+
+Result<Value> simplify_shape(Call& call) {
+  ARESTA_TRY(const ModelShapePtr x, model_shape(call, call.shape("x"), "x"));
+  ARESTA_TRY(const std::shared_ptr<Model> model, as_model(*x, call.context()));
+  ARESTA_TRY(Extraction cleaned, simplify(*model));
+  auto provenance = std::make_shared<Provenance>();
+  provenance->sources = {model};
+  const ExtractionMap& from = cleaned.from;
+  for (std::size_t i = 0; i < from.vertices.size(); ++i) provenance->parents[VertexId(i)] = {{0, from.vertices[i]}};
+  for (std::size_t i = 0; i < from.edges.size(); ++i) provenance->parents[EdgeId(i)] = {{0, from.edges[i]}};
+  for (std::size_t i = 0; i < from.faces.size(); ++i) provenance->parents[FaceId(i)] = {{0, from.faces[i]}};
+  for (std::size_t i = 1; i < from.regions.size(); ++i) {
+    for (const RegionId r : from.regions[i]) {
+      if (model->is_region(r)) provenance->parents[RegionId(i)].push_back({0, r});
+    }
+  }
+  cleaned.model.provenance = std::move(provenance);
+  inherit_labels(cleaned.model);
+  ARESTA_CHECK(require_valid(cleaned.model, CheckLevel::fast, call.context()));
+  return made(std::move(cleaned.model));
+}
+
+/// A plane, and a square on it that reaches beyond the shape everywhere.
+struct Cut {
+  Vec3 point, normal;
+  Box3 box;
+};
+
+Result<Cut> cut_of(Call& call) {
+  ARESTA_TRY(const ModelShapePtr x, model_shape(call, call.shape("x"), "x"));
+  Cut cut{call.point("point"), normalized(call.point("normal")), {}};
+  for (const Part& part : x->parts()) cut.box.add(part.model->bounds());
+  return cut;
+}
+
+Result<ShapePtr> half(Call& call, const Cut& cut, bool above) {
+  const HalfSpaceShape below_plane(cut.point, above ? -1.0 * cut.normal : cut.normal);
+  const std::vector<ShapePtr> shapes = {call.shape("x"), std::make_shared<const HalfSpaceShape>(below_plane)};
+  ARESTA_TRY(Operands operands, gather_operands(call, shapes));
+  BooleanOptions options;
+  options.kind = BooleanKind::intersect;
+  options.fragment.tolerance = call.session().tolerance;
+  auto result = boolean(operands.models, operands.groups, options, call.context());
+  if (!result) return std::move(result).error();
+  return whole_shape(std::move(result->model));
+}
+
+Result<Value> cut_shape(Call& call) {
+  ARESTA_TRY(const Cut cut, cut_of(call));
+  ARESTA_TRY(ShapePtr above, half(call, cut, true));
+  ARESTA_TRY(ShapePtr below, half(call, cut, false));
+  return Value::tuple({Value(std::move(above)), Value(std::move(below))});
+}
+
+Result<Value> section_shape(Call& call) {
+  ARESTA_TRY(const Cut cut, cut_of(call));
+  const Frame frame = Frame::along(cut.point, cut.normal);
+  Box3 box = cut.box;
+  box.add(cut.point);
+  const double reach = 2 * box.diagonal() + 1;
+  const std::array<Vec3, 4> corners = {frame.to_world({-reach, -reach, 0}), frame.to_world({reach, -reach, 0}), frame.to_world({reach, reach, 0}), frame.to_world({-reach, reach, 0})};
+  ARESTA_TRY(Model plane, polygon(corners, {}, construct_options(call)));
+  ARESTA_TRY(Operands operands, gather_operands(call, {call.shape("x"), whole_shape(std::move(plane))}));
+  BooleanOptions options;
+  options.kind = BooleanKind::intersect;
+  options.fragment.tolerance = call.session().tolerance;
+  auto result = boolean(operands.models, operands.groups, options, call.context());
+  if (!result) return std::move(result).error();
+  return made(std::move(result->model));
+}
+
+Command operation(std::string name, std::vector<Parameter> parameters, std::string doc, std::string example, Function function) {
+  for (const Parameter& p : {regularise, keep_partitions, internals}) parameters.push_back(p);
+  return {.name = std::move(name), .group = "booleans", .parameters = std::move(parameters), .returns = "a new shape; the operands stay as they are",
+          .doc = std::move(doc), .example = std::move(example), .errors = boolean_errors, .function = std::move(function)};
+}
+
+}  // namespace
+
+void register_booleans(Registry& r) {
+  const Parameter many{.name = "shapes", .type = Type::shapes, .doc = "solids, sheets, wires, points, entities of them, or groups", .variadic = true};
+  const Parameter a{.name = "a", .type = Type::shape}, b{.name = "b", .type = Type::shape};
+  r.add(operation("union", {many}, "What is in any of the shapes; a + b is the regularised one. All shapes are decided at once, so that their order does not matter.",
+                  "union(block(2, 2, 2), cylinder(1, 3))", [](Call& c) { return many_operands(c, BooleanKind::unite); }));
+  r.add(operation("intersection", {many}, "What is in all of the shapes; a & b is the regularised one.", "intersection(block(2, 2, 2), sphere(1))",
+                  [](Call& c) { return many_operands(c, BooleanKind::intersect); }));
+  r.add(operation("difference", {a, b}, "What is in a and not in b; a - b is the regularised one.", "difference(block(2, 2, 2), cylinder(1, 3))",
+                  [](Call& c) { return two_operands(c, BooleanKind::subtract); }));
+  r.add(operation("symmetric_difference", {a, b}, "What is in one of the two and not in the other.", "symmetric_difference(block(2, 2, 2), cylinder(1, 3))",
+                  [](Call& c) { return two_operands(c, BooleanKind::symmetric_difference); }));
+  r.add({.name = "fragment", .group = "booleans", .parameters = {many}, .returns = "a shape in which everything meets only in shared faces, edges and vertices",
+         .doc = "Imprints all shapes on one another, finds all regions and keeps all of them.", .example = "fragment(block(2, 2, 2), cylinder(1, 3))",
+         .errors = {errors::no_operands, errors::imprint_failed, errors::label_conflict, errors::not_conserved},
+         .function = [](Call& c) { return make_fragment(c, c.shapes("shapes")); }});
+  r.add({.name = "detect_regions", .group = "booleans", .parameters = {{.name = "faces", .type = Type::shapes, .doc = "sheets, or faces of models", .variadic = true}},
+         .returns = "a shape with a region in every space that they enclose", .doc = "Finds the regions that faces enclose.",
+         .example = "detect_regions(faces(block(1, 1, 1)))", .errors = {errors::imprint_failed},
+         .function = [](Call& c) { return make_fragment(c, c.shapes("faces")); }});
+  r.add({.name = "simplify", .group = "booleans", .parameters = {{.name = "x", .type = Type::shape}}, .returns = "a new shape of the same points",
+         .doc = "Merges neighbouring faces on one surface and edges on one curve, where nothing else needs what is between them.",
+         .example = "simplify(block(1, 1, 1) + block(1, 1, 1, at=(1, 0, 0)))", .function = simplify_shape});
+  const Parameter x{.name = "x", .type = Type::shape};
+  const Parameter point{.name = "point", .type = Type::point, .doc = "on the plane", .unit = "length"};
+  const Parameter normal{.name = "normal", .type = Type::direction, .doc = "points to the side above"};
+  r.add({.name = "cut", .group = "cutting", .parameters = {x, point, normal}, .returns = "a pair of shapes: what is above the plane and what is below",
+         .doc = "Cuts a shape in two by a plane.", .example = "above, below = cut(sphere(1), (0, 0, 0), (0, 0, 1))", .errors = boolean_errors, .function = cut_shape});
+  r.add({.name = "section", .group = "cutting", .parameters = {x, point, normal}, .returns = "a shape of faces, edges and vertices in the plane",
+         .doc = "What of a shape lies in a plane.", .example = "area(section(sphere(1), (0, 0, 0), (0, 0, 1)))", .errors = boolean_errors, .function = section_shape});
+  const Parameter kind{.name = "kind", .type = Type::string, .doc = "only entities of this kind", .default_value = Value(), .choices = {"vertex", "edge", "face"}};
+  Parameter face_kind = kind;
+  face_kind.default_value = "face";
+  r.add({.name = "classes", .group = "measures", .parameters = {a, b, kind}, .returns = "a list of pairs (entity, class)",
+         .doc = "The class of every vertex, edge and face of two shapes against the other: AoutB, BoutA, INTERS, AinB, BinA.",
+         .example = "for f, c in classes(a, b, kind=\"face\"): print(c, area(f))", .errors = boolean_errors, .function = [](Call& c) { return classes_of(c, false); }});
+  r.add({.name = "class_counts", .group = "measures", .parameters = {a, b, face_kind}, .returns = "a list of pairs (class, number)",
+         .doc = "How many faces (or edges, or vertices) of two shapes are of each class.", .example = "class_counts(a, b)", .errors = boolean_errors,
+         .function = [](Call& c) { return classes_of(c, true); }});
+}
+
+}  // namespace aresta::document

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faces, wires and points.
+#include "construct/profiles.h"
+#include "document/commands.h"
+#include "document/construction.h"
+
+namespace aresta::document {
+
+namespace {
+
+const Parameter path_points{.name = "points", .type = Type::points, .unit = "length"};
+const Parameter closed{.name = "closed", .type = Type::boolean, .doc = "come back to the first point", .default_value = false};
+
+Parameter place(std::string name, std::string doc = {}) {
+  return {.name = std::move(name), .type = Type::point, .doc = std::move(doc), .unit = "length"};
+}
+
+Command sheet(std::string name, std::vector<Parameter> parameters, std::string returns, std::string doc, std::string example,
+              Function function) {
+  return {.name = std::move(name), .group = "faces, wires and points", .parameters = std::move(parameters), .returns = std::move(returns),
+          .doc = std::move(doc), .example = std::move(example),
+          .errors = {errors::bad_size, errors::points_coincide, errors::not_planar, errors::self_intersection}, .function = std::move(function)};
+}
+
+}  // namespace
+
+void register_sheets(Registry& r) {
+  r.add(sheet("polygon",
+              {path_points, {.name = "holes", .type = Type::point_lists, .doc = "loops of points inside", .unit = "length", .default_value = Value::list({})}},
+              "a shape of one face", "A plane face; its front is where the points run counterclockwise.",
+              "polygon([(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0)])",
+              [](Call& c) { return made(polygon(c.points("points"), c.point_lists("holes"), construct_options(c))); }));
+  r.add(sheet("disk", {length("r", "radius"), at("its centre"), axis()}, "a shape of one face", "A plane round face.", "disk(2)",
+              [](Call& c) { return made(disk(c.number("r"), placement(c), construct_options(c))); }));
+  r.add(sheet("polyline", {path_points, closed}, "a shape of wire edges", "Straight edges from point to point.",
+              "polyline([(0, 0, 0), (1, 0, 0), (1, 1, 0)])",
+              [](Call& c) { return made(polyline(c.points("points"), c.boolean("closed"), construct_options(c))); }));
+  r.add(sheet("line", {place("p"), place("q")}, "a shape of one wire edge", "A straight edge.", "line((0, 0, 0), (1, 2, 3))",
+              [](Call& c) { return made(line(c.point("p"), c.point("q"), construct_options(c))); }));
+  r.add(sheet("arc", {place("centre"), place("start"), place("end")}, "a shape of one wire edge", "The shorter circular arc between two points.",
+              "arc((0, 0, 0), (1, 0, 0), (0, 1, 0))",
+              [](Call& c) { return made(arc(c.point("centre"), c.point("start"), c.point("end"), construct_options(c))); }));
+  r.add(sheet("circle", {length("r", "radius"), at("its centre"), axis()}, "a shape of one closed wire edge", "A circle.", "circle(2)",
+              [](Call& c) { return made(circle(c.number("r"), placement(c), construct_options(c))); }));
+  r.add(sheet("spline", {path_points, closed}, "a shape of one wire edge", "A smooth curve through points.",
+              "spline([(0, 0, 0), (1, 1, 0), (2, 0, 0)])",
+              [](Call& c) { return made(spline(c.points("points"), c.boolean("closed"), construct_options(c))); }));
+  r.add(sheet("point", {place("p")}, "a shape of one vertex", "A single point.", "point((1, 2, 3))",
+              [](Call& c) { return made(point(c.point("p"), construct_options(c))); }));
+}
+
+}  // namespace aresta::document
