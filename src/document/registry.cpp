@@ -205,14 +205,27 @@ std::string Registry::help(const Command& command) {
   return text;
 }
 
+namespace {
+
+/// Shapes that are gone are dropped whenever the list has doubled.
+void remember(std::vector<std::weak_ptr<const Shape>>& made, const ShapePtr& shape) {
+  if (made.size() >= 1024 && (made.size() & (made.size() - 1)) == 0) {
+    std::erase_if(made, [](const auto& weak) { return weak.expired(); });
+  }
+  made.push_back(shape);
+}
+
+}  // namespace
+
 Result<Value> invoke(const Command& command, Arguments arguments, Session& session) {
   ARESTA_TRY(std::vector<Value> bound, bind(command, std::move(arguments)));
   Call call(command, std::move(bound), session);
-  if (command.of_the_language() || !session.finished) return command.function(call);
+  if (command.of_the_language()) return command.function(call);
   const auto start = std::chrono::steady_clock::now();
   Result<Value> result = command.function(call);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  session.finished(command, taken.count(), result ? &*result : nullptr);
+  if (result && result->is(Value::Kind::shape)) remember(session.made, result->shape());
+  if (session.finished) session.finished(command, taken.count(), result ? &*result : nullptr);
   return result;
 }
 

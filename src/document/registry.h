@@ -78,6 +78,8 @@ struct Session {
   std::function<Status(const std::string&)> print = {};
   Digits digits = Digits::seventeen;
   double tolerance = 0;  ///< of operations, in document units; 0: each model's own
+  /// Every shape that a command gave, the latest last.
+  std::vector<std::weak_ptr<const Shape>> made = {};
   /// Told of each finished command that is not part of the language itself (not len, print, sqrt, ...).
   std::function<void(const Command&, double seconds, const Value* result)> finished = {};
 };
