@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `aresta help`: the registry as pages of text.
+#include "document/commands.h"
 #include "program.h"
 #include "script/interpreter.h"
 
@@ -34,6 +35,7 @@ std::string overview(const document::Registry& registry) {
 const document::Registry& all_commands() {
   static const document::Registry registry = [] {
     document::Registry r;
+    document::register_modelling(r);
     script::register_language(r);
     return r;
   }();

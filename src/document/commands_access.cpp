@@ -28,7 +28,7 @@ Result<Value> entities(Call& call, EntityKind of) {
   ARESTA_TRY(const ModelShapePtr x, x_of(call));
   std::vector<Value> list;
   for (const Part& part : x->parts()) {
-    for (const EntityRef e : closure(part)[static_cast<std::size_t>(of)]) list.emplace_back(shape_of(part.model, {e}));
+    for (const EntityRef e : closure(part, of)) list.emplace_back(shape_of(part.model, {e}));
   }
   return Value::list(std::move(list));
 }
@@ -74,7 +74,7 @@ Result<Value> nearest_entity(Call& call) {
   std::shared_ptr<Model> model;
   EntityRef entity;
   for (const Part& part : x->parts()) {
-    for (const EntityRef e : closure(part)[static_cast<std::size_t>(of)]) {
+    for (const EntityRef e : closure(part, of)) {
       ARESTA_CHECK(call.context().step(0, "nearest"));
       ARESTA_TRY(const double distance, distance_to(*part.model, e, point));
       if (distance >= best) continue;

@@ -36,7 +36,7 @@ Result<Moments> moments_of(const Model& model, EntityRef e) {
 Result<Moments> total(Call& call, const ModelShape& x, EntityKind kind) {
   Moments sum;
   for (const Part& part : x.parts()) {
-    for (const EntityRef e : closure(part)[static_cast<std::size_t>(kind)]) {
+    for (const EntityRef e : closure(part, kind)) {
       ARESTA_CHECK(call.context().step(0, call.command().name));
       ARESTA_TRY(const Moments one, moments_of(*part.model, e));
       sum += one;
@@ -92,8 +92,11 @@ Result<Value> count_of(Call& call) {
     } else if (what == "shells") {
       n += shell_count(part);
     } else {
-      const std::size_t kind = what == "vertices" ? 0 : what == "edges" ? 1 : what == "faces" ? 2 : 3;
-      n += closure(part)[kind].size();
+      n += closure(part, what == "vertices" ? EntityKind::vertex
+                         : what == "edges"  ? EntityKind::edge
+                         : what == "faces"  ? EntityKind::face
+                                            : EntityKind::region)
+               .size();
     }
   }
   return Value(static_cast<std::int64_t>(n));

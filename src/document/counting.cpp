@@ -127,7 +127,7 @@ std::size_t component_count(const Part& part) {
 std::size_t shell_count(const Part& part) {
   const Complex& k = part.model->topology();
   std::size_t n = 0;
-  for (const EntityRef r : closure(part)[3]) {
+  for (const EntityRef r : closure(part, EntityKind::region)) {
     for ([[maybe_unused]] const ShellId s : k.shells(RegionId(r.index))) ++n;
   }
   return n;

@@ -161,6 +161,11 @@ std::array<std::vector<EntityRef>, 4> closure(const Part& part) {
   return gatherer.take();
 }
 
+std::vector<EntityRef> closure(const Part& part, EntityKind kind) {
+  auto members = closure(part);
+  return std::move(members[static_cast<std::size_t>(kind)]);
+}
+
 Result<std::shared_ptr<Model>> as_model(const ModelShape& shape, const Context& context) {
   if (shape.is_whole()) return shape.parts()[0].model;
   std::vector<std::shared_ptr<Model>> models;

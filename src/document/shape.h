@@ -68,6 +68,8 @@ Result<ModelShapePtr> model_shape(const Call& call, const ShapePtr& shape, const
 /// Everything that belongs to listed entities: a region brings its bounding faces and what lies inside it, a face its
 /// edges and what lies inside it, an edge its vertices. Each once, sorted. Index: EntityKind.
 std::array<std::vector<EntityRef>, 4> closure(const Part& part);
+/// Those of one kind.
+std::vector<EntityRef> closure(const Part& part, EntityKind kind);
 
 /// A model of exactly this shape: the model itself when the shape is all of it; else its closure extracted, labels
 /// kept. Error for a shape of several models that meet.
