@@ -7,6 +7,7 @@
 #include "boolean/simplify.h"
 #include "construct/primitives.h"
 #include "construct/profiles.h"
+#include "construct/select.h"
 #include "document/commands.h"
 #include "document/construction.h"
 #include "document/errors.h"
@@ -67,17 +68,33 @@ Result<Value> many_operands(Call& call, BooleanKind kind) {
   return run_boolean(call, kind, shapes);
 }
 
-/// Everything imprinted on everything; all cells kept.
-Result<Value> make_fragment(Call& call, const std::vector<ShapePtr>& shapes) {
-  std::vector<std::shared_ptr<const Model>> models;
+/// The shapes as models that hold nothing but what is listed, each once; empty ones left out.
+Result<std::vector<std::shared_ptr<const Model>>> models_of(Call& call, const std::vector<ShapePtr>& shapes, const std::string& parameter) {
+  // Entities of one model stay together, so that what they share stays shared.
+  std::vector<Part> parts;
   for (const ShapePtr& s : shapes) {
-    ARESTA_TRY(const ModelShapePtr x, model_shape(call, s, "shapes"));
-    // Only what is listed: sub-entities are taken out of their models first.
-    ARESTA_TRY(std::shared_ptr<Model> model, as_model(*x, call.context()));
-    if (model->topology().vertex_count() == 0) continue;
-    if (std::find(models.begin(), models.end(), model) == models.end()) models.push_back(std::move(model));
+    ARESTA_TRY(const ModelShapePtr x, model_shape(call, s, parameter));
+    parts.insert(parts.end(), x->parts().begin(), x->parts().end());
   }
+  const ModelShape all(std::move(parts));
+  std::vector<std::shared_ptr<const Model>> models;
+  for (const Part& part : all.parts()) {
+    ARESTA_TRY(std::shared_ptr<Model> model, as_model(ModelShape({part}), call.context()));
+    if (model->topology().vertex_count() > 0) models.push_back(std::move(model));
+  }
+  return models;
+}
+
+/// Everything imprinted on everything; all cells kept.
+Result<Value> make_fragment(Call& call, const std::string& parameter) {
+  ARESTA_TRY(std::vector<std::shared_ptr<const Model>> models, models_of(call, call.shapes(parameter), parameter));
   if (models.empty()) return made(nothing(call.context()));
+  if (models.size() == 1) {
+    // Nothing to imprint: a model's own entities meet in shared ones already. Spaces that sheets enclose become regions.
+    const bool solid = !models[0]->regions().empty();
+    if (!solid) return made(detect_regions(models[0]));
+    return made(Model(*models[0]));
+  }
   FragmentOptions options;
   options.tolerance = call.session().tolerance;
   ARESTA_TRY(const Fragment pieces, fragment(std::move(models), options, call.context()));
@@ -200,11 +217,11 @@ void register_booleans(Registry& r) {
   r.add({.name = "fragment", .group = "booleans", .parameters = {many}, .returns = "a shape in which everything meets only in shared faces, edges and vertices",
          .doc = "Imprints all shapes on one another, finds all regions and keeps all of them.", .example = "fragment(block(2, 2, 2), cylinder(1, 3))",
          .errors = {errors::no_operands, errors::imprint_failed, errors::label_conflict, errors::not_conserved},
-         .function = [](Call& c) { return make_fragment(c, c.shapes("shapes")); }});
+         .function = [](Call& c) { return make_fragment(c, "shapes"); }});
   r.add({.name = "detect_regions", .group = "booleans", .parameters = {{.name = "faces", .type = Type::shapes, .doc = "sheets, or faces of models", .variadic = true}},
          .returns = "a shape with a region in every space that they enclose", .doc = "Finds the regions that faces enclose.",
          .example = "detect_regions(faces(block(1, 1, 1)))", .errors = {errors::imprint_failed},
-         .function = [](Call& c) { return make_fragment(c, c.shapes("faces")); }});
+         .function = [](Call& c) { return make_fragment(c, "faces"); }});
   r.add({.name = "simplify", .group = "booleans", .parameters = {{.name = "x", .type = Type::shape}}, .returns = "a new shape of the same points",
          .doc = "Merges neighbouring faces on one surface and edges on one curve, where nothing else needs what is between them.",
          .example = "simplify(block(1, 1, 1) + block(1, 1, 1, at=(1, 0, 0)))", .function = simplify_shape});

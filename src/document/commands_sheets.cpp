@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faces, wires and points.
 #include "construct/profiles.h"
+#include "construct/sweep.h"
 #include "document/commands.h"
 #include "document/construction.h"
 
@@ -20,6 +21,12 @@ Command sheet(std::string name, std::vector<Parameter> parameters, std::string r
   return {.name = std::move(name), .group = "faces, wires and points", .parameters = std::move(parameters), .returns = std::move(returns),
           .doc = std::move(doc), .example = std::move(example),
           .errors = {errors::bad_size, errors::points_coincide, errors::not_planar, errors::self_intersection}, .function = std::move(function)};
+}
+
+/// The profile as a model of its own.
+Result<std::shared_ptr<Model>> profile(Call& call) {
+  ARESTA_TRY(const ModelShapePtr x, model_shape(call, call.shape("x"), "x"));
+  return as_model(*x, call.context());
 }
 
 }  // namespace
@@ -47,6 +54,24 @@ void register_sheets(Registry& r) {
               [](Call& c) { return made(spline(c.points("points"), c.boolean("closed"), construct_options(c))); }));
   r.add(sheet("point", {place("p")}, "a shape of one vertex", "A single point.", "point((1, 2, 3))",
               [](Call& c) { return made(point(c.point("p"), construct_options(c))); }));
+  const Parameter swept{.name = "x", .type = Type::shape, .doc = "faces, wires or points"};
+  const std::vector<ErrorCode> sweep_errors = {errors::bad_size, errors::bad_profile, errors::sweep_overlaps};
+  r.add({.name = "extrude", .group = "solids", .parameters = {swept, {.name = "vector", .type = Type::direction, .unit = "length"}, names()},
+         .returns = "a shape: solids from faces, faces from wires, wires from points", .doc = "Sweeps a shape along a straight way.",
+         .example = "extrude(disk(2), (0, 0, 5))", .errors = sweep_errors, .function = [](Call& c) -> Result<Value> {
+           ARESTA_TRY(const std::shared_ptr<Model> x, profile(c));
+           return made(extrude(x, c.point("vector"), construct_options(c), c.context()));
+         }});
+  r.add({.name = "revolve", .group = "solids",
+         .parameters = {swept,
+                        {.name = "angle", .type = Type::number, .doc = "right-handed about the axis", .unit = "degrees", .default_value = 360, .limits = {-360, 360}},
+                        {.name = "about", .type = Type::point, .doc = "a point of the axis", .unit = "length", .default_value = Value::tuple({0, 0, 0})},
+                        {.name = "axis", .type = Type::direction, .default_value = Value::tuple({0, 0, 1})}, names()},
+         .returns = "a shape: solids from faces, faces from wires, wires from points", .doc = "Sweeps a shape about an axis.",
+         .example = "revolve(polygon([(1, 0, 0), (2, 0, 0), (2, 0, 1)]), 180)", .errors = sweep_errors, .function = [](Call& c) -> Result<Value> {
+           ARESTA_TRY(const std::shared_ptr<Model> x, profile(c));
+           return made(revolve(x, c.number("angle"), c.point("about"), c.point("axis"), construct_options(c), c.context()));
+         }});
 }
 
 }  // namespace aresta::document
