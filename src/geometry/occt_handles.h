@@ -36,6 +36,8 @@ class ComputedOnce {
 /// Points on a curve or surface at a grid of parameters, where searches for a nearest point start.
 struct CurveSamples;
 struct SurfaceSamples;
+/// The surface in Bezier patches, where searches for meetings start.
+struct SurfacePatches;
 
 struct OcctCurve {
   Handle(Geom_Curve) curve;
@@ -47,6 +49,7 @@ struct OcctCurve2 {
 struct OcctSurface {
   Handle(Geom_Surface) surface;
   ComputedOnce<SurfaceSamples> samples = {};
+  ComputedOnce<SurfacePatches> patches = {};
 };
 
 /// Conversions keep the parametrisation. Trimmed curves and surfaces become their basis. Handles must not be null.

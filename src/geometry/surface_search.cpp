@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nearest points on free-form surfaces, and where straight lines meet them.
-#include <GeomAPI_IntCS.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <Geom_Line.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
-#include <Geom_TrimmedCurve.hxx>
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 #include "geometry/analytic.h"
+#include "geometry/bezier_patches.h"
 #include "geometry/free_eval.h"
 #include "geometry/nearest.h"
 #include "geometry/occt_guard.h"
@@ -21,9 +20,13 @@ struct SurfaceSamples {
   std::vector<Vec3> points;  ///< points[i * v.size() + j]
 };
 
-namespace free_form {
+struct SurfacePatches {
+  std::vector<BezierPatch> patches;
+  std::optional<FreeSurface> nurbs;  ///< where the surface itself has other parameters than the patches
+  Box3 box;
+};
 
-using occt::vec;
+namespace free_form {
 
 namespace {
 
@@ -153,6 +156,26 @@ SurfaceProjection project_extrusion(const Handle(Geom_SurfaceOfLinearExtrusion) 
   return {{u, v}, q, distance(p, q)};
 }
 
+/// Does the line stay in the surface to one side of the hit? Then it is not isolated.
+bool runs_inside(const Surface& s, const Line& line, const PatchHit& hit, double step, double noise) {
+  for (const double side : {-1.0, 1.0}) {
+    bool inside = true;
+    for (const double part : {0.5, 1.0}) {
+      const Vec3 p = line.origin + (hit.t + side * part * step) * line.direction;
+      inside = inside && s.project(p, &hit.uv).distance <= 4 * noise;
+    }
+    if (inside) return true;
+  }
+  return false;
+}
+
+/// Are two hits close together one touch: does the line stay within rounding of the surface between them?
+bool flat_between(const Surface& s, const Line& line, const LineHit& a, const LineHit& b, double noise) {
+  const Vec3 p = line.origin + 0.5 * (a.t + b.t) * line.direction;
+  // At a pole a local search may stick.
+  return s.project(p, &a.uv).distance <= 4 * noise || s.project(p).distance <= 4 * noise;
+}
+
 }  // namespace
 
 SurfaceProjection project(const FreeSurface& s, Vec3 p, const Vec2* hint) {
@@ -209,35 +232,58 @@ SurfaceProjection project(const FreeSurface& s, Vec3 p, const Vec2* hint) {
 }
 
 std::vector<LineHit> intersect(const FreeSurface& s, const Line& line, const Range2& near) {
+  const Range2 whole = domain(s);
+  const bool bounded = std::isfinite(whole.u.length()) && std::isfinite(whole.v.length());
+  if (!bounded && !(std::isfinite(near.u.length()) && std::isfinite(near.v.length()))) return {};
+  const auto prepare = [&] {
+    SurfacePatches p{bezier_patches(s, bounded ? whole : near), std::nullopt, {}};
+    for (const BezierPatch& patch : p.patches) p.box.add(patch.box);
+    // Other forms than splines have parameters of their own: hits are found on the NURBS form and carried over.
+    if (std::string_view(kind(s)) != "nurbs") {
+      const auto made = FreeSurface::from_nurbs(to_nurbs(s, bounded ? whole : near));
+      if (made.ok()) p.nurbs = *made;
+    }
+    return p;
+  };
+  SurfacePatches own;
+  if (!bounded) own = prepare();
+  const SurfacePatches& p = bounded ? s.handle().patches.get(prepare) : own;
+  const double size = p.box.diagonal();
+  const double noise = 1e-13 * size + 8 * analytic::epsilon * (norm(line.origin) + norm(p.box.low) + norm(p.box.high));
+  const Surface self(s), evaluate(p.nurbs ? *p.nurbs : s);
+  std::vector<PatchHit> found;
+  for (const BezierPatch& patch : p.patches) line_meets_patch(patch, evaluate, line, noise, found);
+
   std::vector<LineHit> hits;
-  if (!std::isfinite(near.u.length()) || !std::isfinite(near.v.length())) return hits;
-  return occt::guarded(
-      [&] {
-        const Box3 box = bounds(s, near);
-        const Range reach = [&] {
-          Range r{analytic::infinity, -analytic::infinity};
-          for (int corner = 0; corner < 8; ++corner) {
-            const Vec3 c{corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                         corner & 4 ? box.high.z : box.low.z};
-            const double t = dot(c - line.origin, line.direction);
-            r = {std::min(r.low, t), std::max(r.high, t)};
-          }
-          const double slack = 1e-3 * r.length() + 1e-9;
-          return Range{r.low - slack, r.high + slack};
-        }();
-        const Handle(Geom_TrimmedCurve) part = new Geom_TrimmedCurve(to_occt(Curve(line)), reach.low, reach.high);
-        const Handle(Geom_RectangularTrimmedSurface) piece =
-            new Geom_RectangularTrimmedSurface(of(s), near.u.low, near.u.high, near.v.low, near.v.high);
-        GeomAPI_IntCS meet(part, piece);
-        for (int i = 1; meet.IsDone() && i <= meet.NbPoints(); ++i) {
-          double u, v, t;
-          meet.Parameters(i, u, v, t);
-          hits.push_back({t, {u, v}});
-        }
-        std::sort(hits.begin(), hits.end(), [](const LineHit& a, const LineHit& b) { return a.t < b.t; });
-        return hits;
-      },
-      std::vector<LineHit>{});
+  const Vec2 turn = period(s);
+  const double slack_u = 1e-9 * std::max(1e-9, whole.u.length() < 1e100 ? whole.u.length() : near.u.length());
+  const double slack_v = 1e-9 * std::max(1e-9, whole.v.length() < 1e100 ? whole.v.length() : near.v.length());
+  for (const PatchHit& f : found) {
+    if (f.touch && runs_inside(evaluate, line, f, 1e-2 * size, noise)) continue;
+    Vec2 uv = f.uv;
+    if (p.nurbs) {
+      const SurfaceProjection q = project(s, evaluate.point(f.uv), nullptr);
+      if (!(q.distance <= 1e-6 * size)) continue;
+      uv = q.uv;
+    }
+    if (turn.x > 0) uv.x -= turn.x * std::floor((uv.x - near.u.low + slack_u) / turn.x);
+    if (turn.y > 0) uv.y -= turn.y * std::floor((uv.y - near.v.low + slack_v) / turn.y);
+    if (uv.x < near.u.low - slack_u || uv.x > near.u.high + slack_u) continue;
+    if (uv.y < near.v.low - slack_v || uv.y > near.v.high + slack_v) continue;
+    hits.push_back({f.t, uv});
+  }
+  std::sort(hits.begin(), hits.end(), [](const LineHit& a, const LineHit& b) {
+    return a.t != b.t ? a.t < b.t : a.uv.x != b.uv.x ? a.uv.x < b.uv.x : a.uv.y < b.uv.y;
+  });
+  // One meeting found from two patches, or a touch from several cells. Hits that are near in space but far in
+  // parameters are two only when the surface passes there twice: never told apart below the rounding of a touch.
+  std::vector<LineHit> distinct;
+  for (const LineHit& h : hits) {
+    const bool again = !distinct.empty() && h.t - distinct.back().t <= 1e-6 * size &&
+                       (h.t - distinct.back().t <= 1e-10 * size || flat_between(self, line, distinct.back(), h, noise));
+    if (!again) distinct.push_back(h);
+  }
+  return distinct;
 }
 
 }  // namespace free_form
