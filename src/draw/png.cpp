@@ -14,8 +14,6 @@
 namespace aresta::draw {
 namespace {
 
-constexpr int band_height = 32;  // pixels
-
 /// Which triangles and lines touch each band of rows.
 struct Bins {
   std::vector<std::vector<std::uint32_t>> triangles, lines;
@@ -58,6 +56,7 @@ class Renderer {
       opaque_.push_back(options.opacity == 1 && colors.of(patch, 0).a == 255 && colors.of(patch, 1).a == 255);
     }
     all_opaque_ = std::all_of(opaque_.begin(), opaque_.end(), [](bool b) { return b; });
+    if (!all_opaque_) band_height_ = 8;
   }
 
   Result<Image> run(const Context& context) {
@@ -67,7 +66,7 @@ class Renderer {
     canvas_.alpha.resize(pixels);
     canvas_.map = {width_, height_, std::vector<float>(pixels, std::numeric_limits<float>::infinity()),
                    std::vector<std::array<float, 3>>(pixels)};
-    const std::size_t bands = (height_ + band_height - 1) / band_height;
+    const std::size_t bands = (height_ + band_height_ - 1) / band_height_;
     const Bins bins = sort_into_bands(bands);
     ARESTA_CHECK(parallel_for(context, bands, "drawing", [&](std::size_t band) { draw_band(int(band), bins); }));
     std::vector<float> light;
@@ -75,7 +74,7 @@ class Renderer {
       std::vector<float> raw(pixels, 1);
       light.assign(pixels, 1);
       const double radius = 0.055 * width_ * projector_.pixel_size(distance(view_.camera.eye, view_.camera.target));
-      const auto rows = [&](std::size_t band) { return std::min<int>(height_, int(band) * band_height); };
+      const auto rows = [&](std::size_t band) { return std::min<int>(height_, int(band) * band_height_); };
       ARESTA_CHECK(parallel_for(context, bands, "shading corners", [&](std::size_t b) {
         obscure_rows(canvas_.map, projector_, radius, rows(b), rows(b + 1), raw);
       }));
@@ -89,7 +88,7 @@ class Renderer {
  private:
   Bins sort_into_bands(std::size_t bands) const {
     Bins bins{std::vector<std::vector<std::uint32_t>>(bands), std::vector<std::vector<std::uint32_t>>(bands)};
-    const double rows = double(band_height) * samples_;
+    const double rows = double(band_height_) * samples_;
     const auto put = [&](std::vector<std::vector<std::uint32_t>>& into, double low, double high, std::uint32_t index) {
       const double last = double(bands) - 1;
       if (high < 0 || low > rows * double(bands)) return;
@@ -122,7 +121,7 @@ class Renderer {
   }
 
   void draw_band(int band, const Bins& bins) {
-    const int first_pixel = band * band_height, last_pixel = std::min(height_, first_pixel + band_height);
+    const int first_pixel = band * band_height_, last_pixel = std::min(height_, first_pixel + band_height_);
     const int around = margin();
     RasterBand raster(width_ * samples_, first_pixel * samples_ - around,
                       (last_pixel - first_pixel) * samples_ + 2 * around, 1e-7 * diagonal_, projector_.perspective());
@@ -180,7 +179,7 @@ class Renderer {
       for (int sx = x * samples_; sx < (x + 1) * samples_; ++sx) {
         const std::size_t s = raster.at(sx, sy);
         const std::uint32_t triangle = raster.triangle(s), line = raster.line(s);
-        if (!raster.layers().empty()) {
+        if (raster.has_layers()) {
           Rgb color = to_rgb(options_.background);
           float a = options_.background.a / 255.0f;
           double depth = std::numeric_limits<double>::infinity();
@@ -204,7 +203,7 @@ class Renderer {
         // Depth counts under lines as well; colour does not.
         const double z = raster.depth(s);
         canvas_.map.depth[pixel] = std::min(canvas_.map.depth[pixel], float(z));
-        if (line != RasterBand::nothing || !raster.layers().empty()) continue;
+        if (line != RasterBand::nothing || raster.has_layers()) continue;
         int g = 0;
         while (g < n && groups[g].triangle != triangle) ++g;
         if (g == n) groups[n++] = {triangle, 0, 0, 0, 0};
@@ -232,12 +231,9 @@ class Renderer {
   /// Lays the transparent layers of a sample that are nearer than `depth` over the colour, the farthest first.
   void blend_layers(const RasterBand& raster, std::size_t sample, int sx, int sy, double depth, Rgb& color,
                     float& alpha, ShadeCache& shades) const {
-    const auto& layers = raster.layers();
-    auto layer = std::lower_bound(layers.begin(), layers.end(), sample,
-                                  [](const RasterBand::Layer& a, std::size_t s) { return a.sample < s; });
-    for (; layer != layers.end() && layer->sample == sample; ++layer) {
-      if (layer->depth > depth) continue;
-      const Shade s = cached_shade(shades, layer->triangle, {sx + 0.5, sy + 0.5}, layer->depth);
+    for (const RasterBand::Layer& layer : raster.layers(sample)) {
+      if (layer.depth > depth) continue;
+      const Shade s = cached_shade(shades, layer.triangle, {sx + 0.5, sy + 0.5}, layer.depth);
       const float a = s.alpha * float(options_.opacity);
       color = (1 - a) * color + a * s.color;
       alpha = alpha + a * (1 - alpha);
@@ -264,6 +260,7 @@ class Renderer {
   ScreenScene screen_;
   std::vector<bool> opaque_;
   bool all_opaque_ = true;
+  int band_height_ = 32;  ///< pixels; fewer where every layer is kept
   Canvas canvas_;
 };
 

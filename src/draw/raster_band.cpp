@@ -92,20 +92,28 @@ void RasterBand::add_opaque(const ScreenTriangle& t, std::uint32_t index) {
 }
 
 void RasterBand::add_transparent(const ScreenTriangle& t, std::uint32_t index) {
-  scan(t, [&](std::size_t sample, double z) { layers_.push_back({std::uint32_t(sample), index, float(z)}); });
+  scan(t, [&](std::size_t sample, double z) { unsorted_.push_back({std::uint32_t(sample), {float(z), index}}); });
 }
 
 void RasterBand::sort_layers() {
-  std::sort(layers_.begin(), layers_.end(), [](const Layer& a, const Layer& b) {
-    if (a.sample != b.sample) return a.sample < b.sample;
-    if (a.depth != b.depth) return a.depth > b.depth;
-    return a.triangle > b.triangle;
-  });
-  // Two triangles of one face that share an edge may both cover a sample on it: one layer.
-  const auto same = [&](const Layer& a, const Layer& b) {
-    return a.sample == b.sample && std::abs(a.depth - b.depth) <= tie_;
+  layer_begin_.assign(depth_.size() + 1, 0);
+  for (const auto& [sample, layer] : unsorted_) ++layer_begin_[sample + 1];
+  for (std::size_t i = 1; i < layer_begin_.size(); ++i) layer_begin_[i] += layer_begin_[i - 1];
+  layer_end_.assign(layer_begin_.begin(), layer_begin_.end() - 1);
+  layers_.resize(unsorted_.size());
+  for (const auto& [sample, layer] : unsorted_) layers_[layer_end_[sample]++] = layer;
+  unsorted_ = {};
+  const auto farther = [](const Layer& a, const Layer& b) {
+    return a.depth != b.depth ? a.depth > b.depth : a.triangle > b.triangle;
   };
-  layers_.erase(std::unique(layers_.begin(), layers_.end(), same), layers_.end());
+  // Two triangles of one face that share an edge may both cover a sample on it: one layer.
+  const auto same = [&](const Layer& a, const Layer& b) { return std::abs(a.depth - b.depth) <= tie_; };
+  for (std::size_t s = 0; s < layer_end_.size(); ++s) {
+    const auto first = layers_.begin() + layer_begin_[s], last = layers_.begin() + layer_end_[s];
+    if (last - first < 2) continue;
+    std::sort(first, last, farther);
+    layer_end_[s] = std::uint32_t(std::unique(first, last, same) - layers_.begin());
+  }
 }
 
 bool RasterBand::line_is_seen(double x, double y, double depth) const {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "draw/screen_scene.h"
@@ -25,8 +27,8 @@ class RasterBand {
   void add_line(const ScreenLine& line, std::uint32_t index, double bias);
 
   struct Layer {
-    std::uint32_t sample, triangle;
     float depth;
+    std::uint32_t triangle;
   };
 
   int width() const { return width_; }
@@ -36,8 +38,11 @@ class RasterBand {
   std::uint32_t triangle(std::size_t sample) const { return triangle_[sample]; }
   std::uint32_t line(std::size_t sample) const { return line_[sample]; }
   double line_depth(std::size_t sample) const { return line_depth_[sample]; }
-  /// Layers of a sample, farthest first: [begin, end) of layers().
-  const std::vector<Layer>& layers() const { return layers_; }
+  bool has_layers() const { return !layers_.empty(); }
+  /// The layers of a sample, farthest first; after sort_layers().
+  std::span<const Layer> layers(std::size_t sample) const {
+    return {layers_.data() + layer_begin_[sample], layers_.data() + layer_end_[sample]};
+  }
 
  private:
   template <class Visit>
@@ -53,7 +58,9 @@ class RasterBand {
   std::vector<std::uint32_t> triangle_;
   std::vector<float> line_depth_;
   std::vector<std::uint32_t> line_;
+  std::vector<std::pair<std::uint32_t, Layer>> unsorted_;  ///< sample, layer
   std::vector<Layer> layers_;
+  std::vector<std::uint32_t> layer_begin_, layer_end_;  ///< by sample
 };
 
 }  // namespace aresta::draw
