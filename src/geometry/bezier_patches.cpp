@@ -113,7 +113,9 @@ class Search {
   }
 
  private:
-  std::size_t at(int i, int j) const { return static_cast<std::size_t>(i * nv_ + j); }
+  std::size_t at(int i, int j) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(nv_) + static_cast<std::size_t>(j);
+  }
 
   /// The hull lies to one side of one of eight lines through the origin.
   bool misses(const Cell& c) const {

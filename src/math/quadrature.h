@@ -34,17 +34,17 @@ namespace quadrature_detail {
 inline double add_scaled(double& sum, double w, double f) {
   return sum += w * f;
 }
-template <std::size_t N>
-void add_scaled(std::array<double, N>& sum, double w, const std::array<double, N>& f) {
-  for (std::size_t i = 0; i < N; ++i) sum[i] += w * f[i];
+template <std::size_t size>
+void add_scaled(std::array<double, size>& sum, double w, const std::array<double, size>& f) {
+  for (std::size_t i = 0; i < size; ++i) sum[i] += w * f[i];
 }
 inline double largest_difference(double a, double b) {
   return std::abs(a - b);
 }
-template <std::size_t N>
-double largest_difference(const std::array<double, N>& a, const std::array<double, N>& b) {
+template <std::size_t size>
+double largest_difference(const std::array<double, size>& a, const std::array<double, size>& b) {
   double m = 0;
-  for (std::size_t i = 0; i < N; ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     const double d = std::abs(a[i] - b[i]);
     if (!(d <= m)) m = d;  // keeps NaN
   }
@@ -53,9 +53,9 @@ double largest_difference(const std::array<double, N>& a, const std::array<doubl
 inline double largest_size(double a) {
   return std::abs(a);
 }
-template <std::size_t N>
-double largest_size(const std::array<double, N>& a) {
-  return largest_difference(a, std::array<double, N>{});
+template <std::size_t size>
+double largest_size(const std::array<double, size>& a) {
+  return largest_difference(a, std::array<double, size>{});
 }
 
 template <class Value>
@@ -100,7 +100,7 @@ Interval<Value> gauss_kronrod(F& f, double low, double high) {
 
 }  // namespace quadrature_detail
 
-/// Integral of f over [a, b]. f takes a double and returns double or std::array<double, N>. Ends finite; a > b gives
+/// Integral of f over [a, b]. f takes a double and returns double or std::array<double, size>. Ends finite; a > b gives
 /// the negative. Ends after a bounded number of evaluations whatever f is; ask `converged` whether the tolerance is
 /// met.
 template <class F>
@@ -124,7 +124,8 @@ auto integrate(F&& f, double a, double b, const QuadratureOptions& options) {
     // Rounding noise alone sums to a few ulps of the size; nothing smaller can be asked for.
     return std::max({options.absolute, options.relative * size, 8 * std::numeric_limits<double>::epsilon() * size});
   };
-  while (std::isfinite(size) && !(error <= tolerance()) && heap.size() < static_cast<std::size_t>(options.max_intervals)) {
+  while (std::isfinite(size) && !(error <= tolerance()) &&
+         heap.size() < static_cast<std::size_t>(options.max_intervals)) {
     std::pop_heap(heap.begin(), heap.end(), by_error);
     const auto worst = heap.back();
     const double middle = 0.5 * (worst.low + worst.high);

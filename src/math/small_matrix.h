@@ -11,75 +11,75 @@
 
 namespace aresta {
 
-template <std::size_t N>
-using Row = std::array<double, N>;
-template <std::size_t N>
-using Matrix = std::array<Row<N>, N>;
+template <std::size_t n>
+using Row = std::array<double, n>;
+template <std::size_t n>
+using Matrix = std::array<Row<n>, n>;
 
 /// x with m x = b, by elimination with full row pivoting; nothing when m is singular to rounding.
-template <std::size_t N>
-std::optional<Row<N>> solve(Matrix<N> m, Row<N> b) {
+template <std::size_t n>
+std::optional<Row<n>> solve(Matrix<n> m, Row<n> b) {
   double largest = 0;
-  for (const Row<N>& row : m) {
+  for (const Row<n>& row : m) {
     for (const double x : row) largest = std::max(largest, std::abs(x));
   }
-  for (std::size_t k = 0; k < N; ++k) {
+  for (std::size_t k = 0; k < n; ++k) {
     std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < N; ++i) {
+    for (std::size_t i = k + 1; i < n; ++i) {
       if (std::abs(m[i][k]) > std::abs(m[pivot][k])) pivot = i;
     }
     if (!(std::abs(m[pivot][k]) > 1e-15 * largest)) return std::nullopt;
     std::swap(m[k], m[pivot]);
     std::swap(b[k], b[pivot]);
-    for (std::size_t i = k + 1; i < N; ++i) {
+    for (std::size_t i = k + 1; i < n; ++i) {
       const double f = m[i][k] / m[k][k];
-      for (std::size_t j = k; j < N; ++j) m[i][j] -= f * m[k][j];
+      for (std::size_t j = k; j < n; ++j) m[i][j] -= f * m[k][j];
       b[i] -= f * b[k];
     }
   }
-  Row<N> x{};
-  for (std::size_t k = N; k-- > 0;) {
+  Row<n> x{};
+  for (std::size_t k = n; k-- > 0;) {
     double sum = b[k];
-    for (std::size_t j = k + 1; j < N; ++j) sum -= m[k][j] * x[j];
+    for (std::size_t j = k + 1; j < n; ++j) sum -= m[k][j] * x[j];
     x[k] = sum / m[k][k];
   }
   return x;
 }
 
-template <std::size_t N>
+template <std::size_t n>
 struct EigenSystem {
-  Row<N> values{};      ///< growing
-  Matrix<N> vectors{};  ///< vectors[k] is the unit vector of values[k]; its largest component is positive
+  Row<n> values{};      ///< growing
+  Matrix<n> vectors{};  ///< vectors[k] is the unit vector of values[k]; its largest component is positive
 };
 
 /// Eigenvectors of a symmetric matrix by cyclic Jacobi rotations: orthonormal to rounding, equal values included.
-template <std::size_t N>
-EigenSystem<N> symmetric_eigen(Matrix<N> a) {
-  Matrix<N> v{};
-  for (std::size_t i = 0; i < N; ++i) v[i][i] = 1;
+template <std::size_t n>
+EigenSystem<n> symmetric_eigen(Matrix<n> a) {
+  Matrix<n> v{};
+  for (std::size_t i = 0; i < n; ++i) v[i][i] = 1;
   for (int sweep = 0; sweep < 60; ++sweep) {
     double off = 0, all = 0;
-    for (std::size_t i = 0; i < N; ++i) {
-      for (std::size_t j = 0; j < N; ++j) (i == j ? all : off) += a[i][j] * a[i][j];
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) (i == j ? all : off) += a[i][j] * a[i][j];
     }
     if (!(off > 1e-36 * (all + off))) break;
-    for (std::size_t p = 0; p < N; ++p) {
-      for (std::size_t q = p + 1; q < N; ++q) {
+    for (std::size_t p = 0; p < n; ++p) {
+      for (std::size_t q = p + 1; q < n; ++q) {
         if (a[p][q] == 0) continue;
         const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
         const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(theta, 1.0));
         const double c = 1 / std::hypot(t, 1.0), s = t * c;
-        for (std::size_t k = 0; k < N; ++k) {
+        for (std::size_t k = 0; k < n; ++k) {
           const double x = a[k][p], y = a[k][q];
           a[k][p] = c * x - s * y;
           a[k][q] = s * x + c * y;
         }
-        for (std::size_t k = 0; k < N; ++k) {
+        for (std::size_t k = 0; k < n; ++k) {
           const double x = a[p][k], y = a[q][k];
           a[p][k] = c * x - s * y;
           a[q][k] = s * x + c * y;
         }
-        for (std::size_t k = 0; k < N; ++k) {
+        for (std::size_t k = 0; k < n; ++k) {
           const double x = v[p][k], y = v[q][k];
           v[p][k] = c * x - s * y;
           v[q][k] = s * x + c * y;
@@ -87,15 +87,15 @@ EigenSystem<N> symmetric_eigen(Matrix<N> a) {
       }
     }
   }
-  std::array<std::size_t, N> order{};
-  for (std::size_t i = 0; i < N; ++i) order[i] = i;
-  for (std::size_t i = 0; i < N; ++i) {
-    for (std::size_t j = i + 1; j < N; ++j) {
+  std::array<std::size_t, n> order{};
+  for (std::size_t i = 0; i < n; ++i) order[i] = i;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
       if (a[order[j]][order[j]] < a[order[i]][order[i]]) std::swap(order[i], order[j]);
     }
   }
-  EigenSystem<N> result;
-  for (std::size_t k = 0; k < N; ++k) {
+  EigenSystem<n> result;
+  for (std::size_t k = 0; k < n; ++k) {
     result.values[k] = a[order[k]][order[k]];
     result.vectors[k] = v[order[k]];
     double largest = 0;
@@ -111,9 +111,9 @@ EigenSystem<N> symmetric_eigen(Matrix<N> a) {
 
 /// Least squares of residual(x, i), i < count, from x, by damped Gauss-Newton with differences for derivatives (`step`
 /// is their width). Returns the best x seen; x itself when nothing is better.
-template <std::size_t N, class Residual>
-Row<N> least_squares(Row<N> x, std::size_t count, Residual&& residual, double step = 1e-6, int iterations = 30) {
-  const auto cost = [&](const Row<N>& at) {
+template <std::size_t n, class Residual>
+Row<n> least_squares(Row<n> x, std::size_t count, Residual&& residual, double step = 1e-6, int iterations = 30) {
+  const auto cost = [&](const Row<n>& at) {
     double sum = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const double r = residual(at, i);
@@ -123,30 +123,30 @@ Row<N> least_squares(Row<N> x, std::size_t count, Residual&& residual, double st
   };
   double best = cost(x), damping = 1e-9;
   for (int iteration = 0; iteration < iterations && best > 0; ++iteration) {
-    Matrix<N> normal{};
-    Row<N> right{};
+    Matrix<n> normal{};
+    Row<n> right{};
     for (std::size_t i = 0; i < count; ++i) {
       const double r = residual(x, i);
-      Row<N> gradient{};
-      for (std::size_t k = 0; k < N; ++k) {
-        Row<N> more = x, less = x;
+      Row<n> gradient{};
+      for (std::size_t k = 0; k < n; ++k) {
+        Row<n> more = x, less = x;
         more[k] += step;
         less[k] -= step;
         gradient[k] = (residual(more, i) - residual(less, i)) / (2 * step);
       }
-      for (std::size_t k = 0; k < N; ++k) {
-        for (std::size_t l = 0; l < N; ++l) normal[k][l] += gradient[k] * gradient[l];
+      for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t l = 0; l < n; ++l) normal[k][l] += gradient[k] * gradient[l];
         right[k] -= gradient[k] * r;
       }
     }
     bool better = false;
     for (int attempt = 0; attempt < 8; ++attempt) {
-      Matrix<N> damped = normal;
-      for (std::size_t k = 0; k < N; ++k) damped[k][k] *= 1 + damping;
-      const auto move = solve<N>(damped, right);
+      Matrix<n> damped = normal;
+      for (std::size_t k = 0; k < n; ++k) damped[k][k] *= 1 + damping;
+      const auto move = solve<n>(damped, right);
       if (move) {
-        Row<N> next = x;
-        for (std::size_t k = 0; k < N; ++k) next[k] += (*move)[k];
+        Row<n> next = x;
+        for (std::size_t k = 0; k < n; ++k) next[k] += (*move)[k];
         const double c = cost(next);
         if (c < best) {
           better = c < best * (1 - 1e-6);
