@@ -20,6 +20,11 @@ constexpr double least_alignment = 0.2;
 /// Largest distance of a triangle's centre from the surface, over its longest side.
 constexpr double largest_deviation = 0.3;
 
+constexpr double largest_cell_aspect = 3;
+constexpr double most_cells = 60000;
+/// How often the grid is made twice as fine when a seam or a pole shows that it is too coarse.
+constexpr int grid_attempts = 4;
+
 using Segment = std::array<std::uint32_t, 2>;
 
 double angle_between(Vec3 a, Vec3 b) {
@@ -42,8 +47,7 @@ class FaceMesher {
     measure_parameters();
     ARESTA_CHECK(collect_loops());
     ARESTA_CHECK(collect_points());
-    add_grid();
-    ARESTA_CHECK(triangulate());
+    ARESTA_CHECK(triangulate_with_grid());
     ARESTA_TRY(RemeshOutput made, remesh(remesh_input(), context_));
     ARESTA_CHECK(check(made));
     return pack(made);
@@ -56,7 +60,10 @@ class FaceMesher {
 
   // --- the parameter plane, scaled so that lengths are about those in space ---
 
-  Vec2 scaled(Vec2 uv) const { return {uv.x * scale_.x, uv.y * scale_.y}; }
+  /// Where lengths are about those in space.
+  double length(Vec2 uv) const { return std::hypot(uv.x * scale_.x, uv.y * scale_.y); }
+  /// Where the triangulation is made: the grid's cells are no slimmer than largest_cell_aspect.
+  Vec2 scaled(Vec2 uv) const { return {uv.x * plane_scale_.x, uv.y * plane_scale_.y}; }
 
   void measure_parameters() {
     box_ = parameter_box(model_, face_);
@@ -72,8 +79,25 @@ class FaceMesher {
     if (std::isfinite(du) && du > 0) scale_.x = du;
     if (std::isfinite(dv) && dv > 0) scale_.y = dv;
     columns_ = turns(true), rows_ = turns(false);
-    if (columns_ > 1 || rows_ > 1) columns_ = std::max(columns_, 2), rows_ = std::max(rows_, 2);
-    while (columns_ * rows_ > 40000) columns_ = std::max(2, columns_ * 3 / 4), rows_ = std::max(2, rows_ * 3 / 4);
+    choose_grid();
+  }
+
+  void choose_grid() {
+    plane_scale_ = scale_;
+    if (columns_ < 2 && rows_ < 2) return;
+    columns_ = std::max(columns_, 2), rows_ = std::max(rows_, 2);
+    const double width = box_.u.length() * scale_.x, height = box_.v.length() * scale_.y;
+    const auto wanted = [](double cells) { return static_cast<int>(std::clamp(std::ceil(cells), 2.0, 4000.0)); };
+    columns_ = std::max(columns_, wanted(width / height * rows_ / largest_cell_aspect));
+    rows_ = std::max(rows_, wanted(height / width * columns_ / largest_cell_aspect));
+    while (static_cast<double>(columns_) * rows_ > most_cells) {
+      (columns_ > rows_ ? columns_ : rows_) = std::max(2, (columns_ > rows_ ? columns_ : rows_) * 3 / 4);
+    }
+    const double cell_width = width / columns_, cell_height = height / rows_;
+    if (cell_width > largest_cell_aspect * cell_height)
+      plane_scale_.x *= largest_cell_aspect * cell_height / cell_width;
+    if (cell_height > largest_cell_aspect * cell_width)
+      plane_scale_.y *= largest_cell_aspect * cell_width / cell_height;
   }
 
   /// How many grid cells the turning of the surface along u (or v) asks for.
@@ -153,9 +177,9 @@ class FaceMesher {
       return failure(errors::mesh_bad_input, "a loop of the face does not close", node_point(last.node));
     }
     const Vec2 gap = next.uv - last.uv;
-    const double diagonal = norm(scaled({box_.u.length(), box_.v.length()}));
+    const double diagonal = length({box_.u.length(), box_.v.length()});
     const double near = 1e-4 * diagonal + 10 * model_.tolerance(face_);
-    if (norm(scaled(gap)) <= near) return Vec2{};
+    if (length(gap) <= near) return Vec2{};
     const Vec3 here = node_point(last.node);
     const double tolerance = 1e-6 * diagonal + 10 * std::max(model_.tolerance(face_), model_.tolerance());
     bool one_point = true;
@@ -173,7 +197,7 @@ class FaceMesher {
     const Vec2 period = surface_.period();
     const Vec2 whole{period.x > 0 ? period.x * std::round(gap.x / period.x) : 0,
                      period.y > 0 ? period.y * std::round(gap.y / period.y) : 0};
-    if (norm(scaled(gap - whole)) <= near) return Vec2{-whole.x, -whole.y};
+    if (length(gap - whole) <= near) return Vec2{-whole.x, -whole.y};
     return failure(errors::mesh_bad_input, "the images of two edges of the face do not meet in its surface", here);
   }
 
@@ -289,15 +313,30 @@ class FaceMesher {
 
   // --- inner points for the topology's sake ---
 
-  void add_grid() {
+  Status triangulate_with_grid() {
     first_inner_ = plane_.points.size();
+    for (int attempt = 1;; ++attempt) {
+      bool too_coarse = false;
+      add_grid();
+      auto status = triangulate(too_coarse);
+      if (!too_coarse || attempt == grid_attempts || columns_ < 2) return status;
+      columns_ *= 2, rows_ *= 2;
+      plane_.points.resize(first_inner_);
+      uv_.resize(first_inner_);
+      node_of_.resize(first_inner_);
+      is_pole_.resize(first_inner_);
+      triangles_.clear();
+    }
+  }
+
+  void add_grid() {
     if (columns_ < 2 || rows_ < 2) return;
     const Vec2 cell{box_.u.length() / columns_, box_.v.length() / rows_};
-    const double clearance = 0.35 * std::min(cell.x * scale_.x, cell.y * scale_.y);
-    const double reach_x = cell.x * scale_.x;
+    const double clearance = 0.35 * std::min(scaled(cell).x, scaled(cell).y);
+    const double reach_x = scaled(cell).x;
     // Segments by the column of the grid that they touch, so that each point looks at few.
     std::vector<std::vector<Segment>> buckets(static_cast<std::size_t>(columns_) + 1);
-    const double left = box_.u.low * scale_.x;
+    const double left = scaled({box_.u.low, 0}).x;
     const auto bucket = [&](double x) {
       return static_cast<int>(std::clamp(std::floor((x - left) / reach_x), 0.0, static_cast<double>(columns_)));
     };
@@ -341,7 +380,8 @@ class FaceMesher {
     return odd;
   }
 
-  Status triangulate() {
+  /// `too_coarse`: glued at the seam or the pole, the triangulation is no surface; more inner points help.
+  Status triangulate(bool& too_coarse) {
     const PlaneOutput made = triangulate_plane(plane_);
     if (made.bad_point || made.triangles.empty()) {
       const std::uint32_t bad = made.bad_point.value_or(0);
@@ -356,6 +396,7 @@ class FaceMesher {
         const int j = (i + 1) % 3;
         if (nodes[i] != nodes[j]) continue;
         if (!is_pole_[t[i]] || !is_pole_[t[j]]) {
+          too_coarse = true;
           return failure(errors::mesh_face_boundary, "the boundary of the face is subdivided too coarsely at its seam",
                          surface_.point(uv_[t[i]]));
         }
@@ -368,6 +409,7 @@ class FaceMesher {
     std::sort(directed.begin(), directed.end());
     const auto twice = std::adjacent_find(directed.begin(), directed.end());
     if (twice != directed.end()) {
+      too_coarse = true;
       return failure(errors::mesh_face_boundary, "the boundary of the face is subdivided too coarsely",
                      place_of((*twice)[0]));
     }
@@ -482,7 +524,7 @@ class FaceMesher {
   const Context& context_;
 
   Range2 box_;
-  Vec2 scale_{1, 1};
+  Vec2 scale_{1, 1}, plane_scale_{1, 1};
   int columns_ = 1, rows_ = 1;
   std::vector<std::vector<BoundaryPoint>> loops_;
 

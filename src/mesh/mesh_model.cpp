@@ -23,6 +23,7 @@ class Mesher {
       : model_(model), topology_(model.topology()), options_(std::move(options)), context_(context) {}
 
   Result<Mesh> run() {
+    if (options_.dimension == 3) ARESTA_CHECK(refuse_embedded());
     ARESTA_TRY(SizeField wished, model_sizes(model_, options_, context_));
     for (int attempt = 0; attempt < attempts; ++attempt) {
       ARESTA_TRY(const bool good, mesh_surfaces(wished, attempt + 1 == attempts));
@@ -148,7 +149,6 @@ class Mesher {
   Status mesh_regions() {
     const std::vector<RegionId> regions = model_.regions();
     if (regions.empty()) return {};
-    ARESTA_CHECK(refuse_embedded());
     std::vector<std::uint32_t> number(topology_.region_count(), 0);
     VolumeInput input;
     for (const RegionId r : regions) {

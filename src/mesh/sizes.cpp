@@ -265,7 +265,9 @@ Result<SizeField> model_sizes(const Model& model, const MeshOptions& given, cons
   return field;
 }
 
-Result<EdgeMesh> subdivide_edges(const Model& model, SizeField& field, const Context& context) {
+namespace {
+
+Result<EdgeMesh> subdivide_once(const Model& model, SizeField& field, const Context& context) {
   EdgeMesh mesh;
   const auto& topology = model.topology();
   for (const VertexId v : topology.vertices()) mesh.nodes.push_back(model.point(v));
@@ -307,6 +309,14 @@ Result<EdgeMesh> subdivide_edges(const Model& model, SizeField& field, const Con
     }
   }
   return mesh;
+}
+
+}  // namespace
+
+Result<EdgeMesh> subdivide_edges(const Model& model, SizeField& field, const Context& context) {
+  // Short edges show in the field only once they are there; the second time their neighbours are graded towards them.
+  ARESTA_CHECK(subdivide_once(model, field, context));
+  return subdivide_once(model, field, context);
 }
 
 }  // namespace aresta::mesh
