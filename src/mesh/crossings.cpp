@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs of triangles that meet where they should not. Candidates by sweeping sorted boxes in a grid-free way: a tree of
-// boxes over triangles sorted along a space-filling order of their centres.
+// Candidates come from a tree of boxes, split at medians.
+#include "mesh/crossings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "math/box.h"
-#include "mesh/linear_mesh.h"
 
 namespace aresta::mesh {
 
@@ -20,11 +20,98 @@ struct Node {
   std::int32_t left = -1, right = -1;
 };
 
+Vec3 area_vector(Vec3 a, Vec3 b, Vec3 c) {
+  return cross(b - a, c - a);
+}
+
+/// Looks at one pair of triangles.
+class PairTest {
+ public:
+  PairTest(const std::vector<Vec3>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
+
+  std::optional<Vec3> run(const Corners& s, const Corners& t) {
+    int shared = 0;
+    for (const std::uint32_t n : s) shared += n == t[0] || n == t[1] || n == t[2] ? 1 : 0;
+    if (shared == 3) return (points_[s[0]] + points_[s[1]] + points_[s[2]]) / 3;
+    if (shared == 2) {
+      test_hinge(s, t);
+      return found_;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (pierces(s[k], s[(k + 1) % 3], t) || pierces(t[k], t[(k + 1) % 3], s)) break;
+    }
+    return found_;
+  }
+
+ private:
+  void report(Vec3 p) { found_ = p; }
+
+  /// Two triangles with a common side overlap when they lie folded onto each other.
+  void test_hinge(const Corners& s, const Corners& t) {
+    const auto in = [](const Corners& c, std::uint32_t n) { return c[0] == n || c[1] == n || c[2] == n; };
+    std::uint32_t common[2] = {0, 0}, apex_s = 0, apex_t = 0;
+    int count = 0;
+    for (const std::uint32_t n : s) {
+      if (in(t, n))
+        common[count++] = n;
+      else
+        apex_s = n;
+    }
+    for (const std::uint32_t n : t) {
+      if (!in(s, n)) apex_t = n;
+    }
+    const Vec3 a = points_[common[0]], axis = normalized(points_[common[1]] - a);
+    const auto across = [&](std::uint32_t n) {
+      const Vec3 d = points_[n] - a;
+      return normalized(d - dot(d, axis) * axis);
+    };
+    // Nearly folded counts: less than a thousandth of a radian leaves no room for a tetrahedron.
+    const Vec3 x = across(apex_s), y = across(apex_t);
+    if (dot(x, y) > 0 && norm(cross(x, y)) < 1e-3) report(0.5 * (points_[apex_s] + points_[apex_t]));
+  }
+
+  static double volume(Vec3 a, Vec3 b, Vec3 c, Vec3 d) { return dot(cross(b - a, c - a), d - a); }
+
+  /// Does the side pq go through the triangle's plane within the triangle? Sides that end in a corner do not count.
+  bool pierces(std::uint32_t pn, std::uint32_t qn, const Corners& t) {
+    for (const std::uint32_t n : t) {
+      if (n == pn || n == qn) return false;
+    }
+    const Vec3 p = points_[pn], q = points_[qn], a = points_[t[0]], b = points_[t[1]], c = points_[t[2]];
+    const Vec3 normal = normalized(area_vector(a, b, c));
+    const double dp = dot(p - a, normal), dq = dot(q - a, normal);
+    if ((dp > tolerance_ && dq > tolerance_) || (dp < -tolerance_ && dq < -tolerance_)) return false;
+    if (std::abs(dp) <= tolerance_ && std::abs(dq) <= tolerance_) return lies_in(p, q, a, b, c, normal);
+    const double x = volume(p, q, a, b), y = volume(p, q, b, c), z = volume(p, q, c, a);
+    const bool positive = x >= 0 && y >= 0 && z >= 0, negative = x <= 0 && y <= 0 && z <= 0;
+    if (!positive && !negative) return false;
+    report(p + dp / (dp - dq) * (q - p));
+    return true;
+  }
+
+  /// A side in the triangle's plane: does it cross a side of the triangle, or start inside?
+  bool lies_in(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
+    const auto left = [&](Vec3 u, Vec3 v, Vec3 w) { return dot(cross(v - u, w - u), normal); };
+    const Vec3 corners[3] = {a, b, c};
+    bool inside = true;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 u = corners[k], v = corners[(k + 1) % 3];
+      inside = inside && left(u, v, p) > 0;
+      if (left(u, v, p) * left(u, v, q) < 0 && left(p, q, u) * left(p, q, v) < 0) inside = true, k = 3;
+    }
+    if (inside) report(0.5 * (p + q));
+    return inside;
+  }
+
+  const std::vector<Vec3>& points_;
+  double tolerance_;
+  std::optional<Vec3> found_;
+};
+
 class CrossingFinder {
  public:
-  CrossingFinder(const LinearMesh& mesh, std::size_t most) : points_(mesh.nodes), most_(most) {
-    for (const auto& face : mesh.faces)
-      triangles_.insert(triangles_.end(), face.triangles.begin(), face.triangles.end());
+  CrossingFinder(const std::vector<Vec3>& points, const std::vector<Corners>& triangles, std::size_t most)
+      : points_(points), triangles_(triangles), most_(most) {
     Box3 all;
     for (const auto& t : triangles_) {
       Box3 box;
@@ -91,85 +178,13 @@ class CrossingFinder {
 
   void test(std::uint32_t i, std::uint32_t j) {
     if (!boxes_[i].overlaps(boxes_[j])) return;
-    const Corners &s = triangles_[i], &t = triangles_[j];
-    int shared = 0;
-    for (const std::uint32_t n : s) shared += n == t[0] || n == t[1] || n == t[2] ? 1 : 0;
-    if (shared == 3) {
-      report((points_[s[0]] + points_[s[1]] + points_[s[2]]) / 3);
-    } else if (shared == 2) {
-      test_hinge(s, t);
-    } else {
-      for (int k = 0; k < 3; ++k) {
-        if (pierces(s[k], s[(k + 1) % 3], t)) return;
-        if (pierces(t[k], t[(k + 1) % 3], s)) return;
-      }
-    }
+    const auto place = triangles_meet(points_, triangles_[i], triangles_[j], tolerance_);
+    if (place) found_.push_back(*place);
   }
-
-  void report(Vec3 p) { found_.push_back(p); }
-
-  /// Two triangles with a common side overlap when they lie folded onto each other.
-  void test_hinge(const Corners& s, const Corners& t) {
-    const auto in = [](const Corners& c, std::uint32_t n) { return c[0] == n || c[1] == n || c[2] == n; };
-    std::uint32_t common[2] = {0, 0}, apex_s = 0, apex_t = 0;
-    int count = 0;
-    for (const std::uint32_t n : s) {
-      if (in(t, n))
-        common[count++] = n;
-      else
-        apex_s = n;
-    }
-    for (const std::uint32_t n : t) {
-      if (!in(s, n)) apex_t = n;
-    }
-    const Vec3 a = points_[common[0]], axis = normalized(points_[common[1]] - a);
-    const auto across = [&](std::uint32_t n) {
-      const Vec3 d = points_[n] - a;
-      return normalized(d - dot(d, axis) * axis);
-    };
-    // Nearly folded counts: less than a thousandth of a radian leaves no room for a tetrahedron.
-    const Vec3 x = across(apex_s), y = across(apex_t);
-    if (dot(x, y) > 0 && norm(cross(x, y)) < 1e-3) report(0.5 * (points_[apex_s] + points_[apex_t]));
-  }
-
-  static double volume(Vec3 a, Vec3 b, Vec3 c, Vec3 d) { return dot(cross(b - a, c - a), d - a); }
-
-  /// Does the side pq go through the triangle's plane within the triangle? Sides that end in a corner do not count.
-  bool pierces(std::uint32_t pn, std::uint32_t qn, const Corners& t) {
-    for (const std::uint32_t n : t) {
-      if (n == pn || n == qn) return false;
-    }
-    const Vec3 p = points_[pn], q = points_[qn], a = points_[t[0]], b = points_[t[1]], c = points_[t[2]];
-    const Vec3 normal = normalized(area_vector(a, b, c));
-    const double dp = dot(p - a, normal), dq = dot(q - a, normal);
-    if ((dp > tolerance_ && dq > tolerance_) || (dp < -tolerance_ && dq < -tolerance_)) return false;
-    if (std::abs(dp) <= tolerance_ && std::abs(dq) <= tolerance_) return lies_in(p, q, a, b, c, normal);
-    const double x = volume(p, q, a, b), y = volume(p, q, b, c), z = volume(p, q, c, a);
-    const bool positive = x >= 0 && y >= 0 && z >= 0, negative = x <= 0 && y <= 0 && z <= 0;
-    if (!positive && !negative) return false;
-    report(p + dp / (dp - dq) * (q - p));
-    return true;
-  }
-
-  /// A side in the triangle's plane: does it cross a side of the triangle, or start inside?
-  bool lies_in(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
-    const auto left = [&](Vec3 u, Vec3 v, Vec3 w) { return dot(cross(v - u, w - u), normal); };
-    const Vec3 corners[3] = {a, b, c};
-    bool inside = true;
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 u = corners[k], v = corners[(k + 1) % 3];
-      inside = inside && left(u, v, p) > 0;
-      if (left(u, v, p) * left(u, v, q) < 0 && left(p, q, u) * left(p, q, v) < 0) inside = true, k = 3;
-    }
-    if (inside) report(0.5 * (p + q));
-    return inside;
-  }
-
-  static Vec3 area_vector(Vec3 a, Vec3 b, Vec3 c) { return cross(b - a, c - a); }
 
   const std::vector<Vec3>& points_;
+  const std::vector<Corners>& triangles_;
   std::size_t most_;
-  std::vector<Corners> triangles_;
   std::vector<Box3> boxes_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> tree_;
@@ -179,8 +194,14 @@ class CrossingFinder {
 
 }  // namespace
 
-std::vector<Vec3> surface_crossings(const LinearMesh& mesh, std::size_t most) {
-  return CrossingFinder(mesh, most).run();
+std::optional<Vec3> triangles_meet(const std::vector<Vec3>& points, const Corners& s, const Corners& t,
+                                   double tolerance) {
+  return PairTest(points, tolerance).run(s, t);
+}
+
+std::vector<Vec3> find_crossings(const std::vector<Vec3>& points, const std::vector<Corners>& triangles,
+                                 std::size_t most) {
+  return CrossingFinder(points, triangles, most).run();
 }
 
 }  // namespace aresta::mesh

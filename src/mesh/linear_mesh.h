@@ -40,8 +40,4 @@ class SecondOrder {
   std::size_t straightened_ = 0;
 };
 
-/// Do triangles of different faces, or of one face, meet elsewhere than in shared nodes and sides? Answers one point of
-/// each such meeting. Exact up to a relative distance of 1e-12. Cost n log n for meshes of bounded overlap.
-std::vector<Vec3> surface_crossings(const LinearMesh& mesh, std::size_t most);
-
 }  // namespace aresta::mesh

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "mesh/crossings.h"
+#include "mesh/embed.h"
 #include "mesh/errors.h"
 #include "mesh/linear_mesh.h"
 #include "mesh/quality.h"
@@ -23,7 +25,7 @@ class Mesher {
       : model_(model), topology_(model.topology()), options_(std::move(options)), context_(context) {}
 
   Result<Mesh> run() {
-    if (options_.dimension == 3) ARESTA_CHECK(refuse_embedded());
+    number_regions();
     ARESTA_TRY(SizeField wished, model_sizes(model_, options_, context_));
     for (int attempt = 0; attempt < attempts; ++attempt) {
       ARESTA_TRY(const bool good, mesh_surfaces(wished, attempt + 1 == attempts));
@@ -61,9 +63,11 @@ class Mesher {
       good = false;
     }
     if (!good) return false;
-    const std::vector<Vec3> crossings = surface_crossings(linear_, 200);
-    if (crossings.empty()) return true;
-    if (last) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (const auto& face : linear_.faces)
+      triangles.insert(triangles.end(), face.triangles.begin(), face.triangles.end());
+    const std::vector<Vec3> crossings = find_crossings(linear_.nodes, triangles, 200);
+    if (!crossings.empty() && last) {
       const Vec3 p = crossings.front();
       return Error{errors::mesh_surfaces_cross,
                    "the meshes of faces that come close to each other intersect",
@@ -72,6 +76,17 @@ class Mesher {
                    "a smaller element size there"};
     }
     for (const Vec3& p : crossings) wished.restrict(p, 0.5 * field.at(p));
+    if (!crossings.empty()) return false;
+    if (options_.dimension == 2) return true;
+    auto helpers = embed_all(std::move(triangles), field);
+    if (helpers.ok()) {
+      helpers_ = std::move(*helpers);
+      return true;
+    }
+    if (last) return std::move(helpers).error();
+    const auto& place = *helpers.error().place;
+    const Vec3 p{place[0], place[1], place[2]};
+    wished.restrict(p, 0.5 * field.at(p));
     return false;
   }
 
@@ -122,61 +137,66 @@ class Mesher {
 
   // --- regions ---
 
-  Status refuse_embedded() const {
-    for (const RegionId r : model_.regions()) {
+  void number_regions() {
+    regions_ = model_.regions();
+    number_.assign(topology_.region_count(), 0);
+    for (std::size_t i = 0; i < regions_.size(); ++i) number_[regions_[i].index()] = static_cast<std::uint32_t>(i + 1);
+  }
+
+  /// Helper triangles for the wires and points inside regions.
+  Result<Helpers> embed_all(std::vector<std::array<std::uint32_t, 3>> triangles, const SizeField& field) const {
+    EmbedInput input;
+    for (const RegionId r : regions_) {
+      const std::uint32_t number = number_[r.index()];
       for (const ShellId s : topology_.shells(r)) {
         for (const EdgeId e : topology_.wires(s)) {
-          const Vec3 p = model_.edge_point(e, model_.range(e).middle());
-          return Error{errors::mesh_embedded_wire,
-                       "a wire inside a region cannot be met by tetrahedra",
-                       {e, r},
-                       {{p.x, p.y, p.z}},
-                       "take the wire out of the region, or mesh with dimension 2"};
+          const auto& nodes = linear_.chains[e.index()].nodes;
+          for (std::size_t i = 1; i < nodes.size(); ++i) input.sides.push_back({nodes[i - 1], nodes[i], e, number});
         }
         if (const VertexId v = topology_.shell_vertex(s); v.valid()) {
-          const Vec3 p = model_.point(v);
-          return Error{errors::mesh_embedded_wire,
-                       "a point inside a region cannot be met by tetrahedra",
-                       {v, r},
-                       {{p.x, p.y, p.z}},
-                       "take the point out of the region, or mesh with dimension 2"};
+          input.isolated.push_back({v.value, v, number, field.at(model_.point(v))});
         }
       }
     }
-    return {};
+    if (input.sides.empty() && input.isolated.empty()) return Helpers{linear_.nodes, {}};
+    input.points = linear_.nodes;
+    input.surface = std::move(triangles);
+    return embed(input);
   }
 
   Status mesh_regions() {
-    const std::vector<RegionId> regions = model_.regions();
-    if (regions.empty()) return {};
-    std::vector<std::uint32_t> number(topology_.region_count(), 0);
+    if (regions_.empty()) return {};
     VolumeInput input;
-    for (const RegionId r : regions) {
-      number[r.index()] = ++input.region_count;
+    input.region_count = static_cast<std::uint32_t>(regions_.size());
+    for (const RegionId r : regions_) {
       const auto own = options_.sizes.find(r);
       input.region_sizes.push_back(own == options_.sizes.end() ? options_.size : std::min(options_.size, own->second));
     }
     input.grading = options_.grading;
+    linear_.nodes = std::move(helpers_.points);
     std::vector<std::uint32_t> point_of(linear_.nodes.size(), 0xffffffffu), node_of;
-    for (const FaceId f : topology_.faces()) {
-      const std::uint32_t front = number[topology_.region(FaceUse(f, 0)).index()],
-                          back = number[topology_.region(FaceUse(f, 1)).index()];
-      if (front == 0 && back == 0) continue;
-      for (auto t : linear_.faces[f.index()].triangles) {
-        for (std::uint32_t& n : t) {
-          if (point_of[n] == 0xffffffffu) {
-            point_of[n] = static_cast<std::uint32_t>(input.points.size());
-            input.points.push_back(linear_.nodes[n]);
-            node_of.push_back(n);
-          }
-          n = point_of[n];
+    const auto add = [&](VolumeTriangle t) {
+      for (std::uint32_t& n : t.nodes) {
+        if (point_of[n] == 0xffffffffu) {
+          point_of[n] = static_cast<std::uint32_t>(input.points.size());
+          input.points.push_back(linear_.nodes[n]);
+          node_of.push_back(n);
         }
-        input.triangles.push_back({t, f.value, front, back});
+        n = point_of[n];
       }
+      input.triangles.push_back(t);
+    };
+    for (const FaceId f : topology_.faces()) {
+      const std::uint32_t front = number_[topology_.region(FaceUse(f, 0)).index()],
+                          back = number_[topology_.region(FaceUse(f, 1)).index()];
+      if (front == 0 && back == 0) continue;
+      for (const auto& t : linear_.faces[f.index()].triangles) add({t, f.value, front, back});
     }
+    for (const auto& helper : helpers_.triangles) add(helper);
     auto filled = fill_volumes(input, context_);
-    if (!filled.ok()) return translate(std::move(filled).error(), regions);
-    if (auto status = check_volumes(input, *filled); !status.ok()) return translate(std::move(status).error(), regions);
+    if (!filled.ok()) return translate(std::move(filled).error(), regions_);
+    if (auto status = check_volumes(input, *filled); !status.ok())
+      return translate(std::move(status).error(), regions_);
     for (std::size_t i = input.points.size(); i < filled->points.size(); ++i) {
       node_of.push_back(static_cast<std::uint32_t>(linear_.nodes.size()));
       linear_.nodes.push_back(filled->points[i]);
@@ -184,7 +204,7 @@ class Mesher {
     linear_.tetras = std::move(filled->tetras);
     for (Tetra& t : linear_.tetras) {
       for (std::uint32_t& n : t.nodes) n = node_of[n];
-      t.region = regions[t.region - 1].value + 1;
+      t.region = regions_[t.region - 1].value + 1;
     }
     std::stable_sort(linear_.tetras.begin(), linear_.tetras.end(),
                      [](const Tetra& a, const Tetra& b) { return a.region < b.region; });
@@ -282,6 +302,9 @@ class Mesher {
   MeshOptions options_;
   const Context& context_;
   LinearMesh linear_;
+  std::vector<RegionId> regions_;
+  std::vector<std::uint32_t> number_;  ///< per region of the model: from 1, 0 for none
+  Helpers helpers_;
 };
 
 }  // namespace

@@ -267,7 +267,7 @@ Result<SizeField> model_sizes(const Model& model, const MeshOptions& given, cons
 
 namespace {
 
-Result<EdgeMesh> subdivide_once(const Model& model, SizeField& field, const Context& context) {
+Result<EdgeMesh> subdivide_once(const Model& model, SizeField& field, double put_back_below, const Context& context) {
   EdgeMesh mesh;
   const auto& topology = model.topology();
   for (const VertexId v : topology.vertices()) mesh.nodes.push_back(model.point(v));
@@ -305,7 +305,9 @@ Result<EdgeMesh> subdivide_once(const Model& model, SizeField& field, const Cont
   for (const auto& chain : mesh.chains) {
     for (std::size_t i = 1; i < chain.nodes.size(); ++i) {
       const Vec3 a = mesh.nodes[chain.nodes[i - 1]], b = mesh.nodes[chain.nodes[i]];
-      field.restrict(0.5 * (a + b), distance(a, b));
+      const Vec3 middle = 0.5 * (a + b);
+      const double length = distance(a, b);
+      if (length < put_back_below * field.at(middle)) field.restrict(middle, length);
     }
   }
   return mesh;
@@ -315,8 +317,9 @@ Result<EdgeMesh> subdivide_once(const Model& model, SizeField& field, const Cont
 
 Result<EdgeMesh> subdivide_edges(const Model& model, SizeField& field, const Context& context) {
   // Short edges show in the field only once they are there; the second time their neighbours are graded towards them.
-  ARESTA_CHECK(subdivide_once(model, field, context));
-  return subdivide_once(model, field, context);
+  // Sides that are merely rounded down must not count the first time: they would shrink again.
+  ARESTA_CHECK(subdivide_once(model, field, 0.6, context));
+  return subdivide_once(model, field, 2, context);
 }
 
 }  // namespace aresta::mesh

@@ -183,6 +183,51 @@ TEST(MeshModel, EdgesAndPointsInsideAFaceAreMet) {
   }
 }
 
+/// Wires inside a region, touching its boundary, and meeting each other; an arc; points.
+TEST(MeshModel, WiresAndPointsInsideARegionAreMet) {
+  Shapes shapes;
+  shapes.box({0, 0, 0}, {2, 2, 2});
+  std::vector<EdgeId> wires{shapes.wire({0.5, 0.5, 0.5}, {1.5, 1.5, 1.2}),
+                            shapes.wire({1.5, 1.5, 1.2}, {1.5, 0.5, 1.2}),
+                            shapes.wire({1.5, 1.5, 1.2}, {1.6, 1.6, 1.8}), shapes.wire({0, 0, 0}, {0.5, 0.4, 0.2}),
+                            shapes.circle(Frame::along({1, 1, 0.7}, {0, 1, 1}), 0.4)};
+  const VertexId points[2] = {shapes.vertex({1, 0.3, 1.7}), shapes.vertex({0.4, 1.6, 1.9})};
+  for (const int order : {1, 2}) {
+    const Mesh mesh = made(shapes.model(), {.size = 0.4, .order = order});
+    EXPECT_NEAR(region_volume(mesh, first_region), 8, 1e-11);
+    EXPECT_TRUE(is_conforming(mesh));
+    EXPECT_GT(quality_report(mesh, 3).worst.smallest_angle, 8);
+    std::set<std::array<std::uint32_t, 2>> sides;
+    std::set<std::uint32_t> corners;
+    for (const auto& block : mesh.blocks) {
+      if (dimension(block.type) != 3) continue;
+      const auto step = static_cast<std::size_t>(node_count(block.type));
+      for (std::size_t e = 0; e < block.nodes.size(); e += step) {
+        for (std::size_t i = 0; i < 4; ++i) {
+          corners.insert(block.nodes[e + i]);
+          for (std::size_t j = 0; j < i; ++j) {
+            sides.insert(
+                {std::min(block.nodes[e + i], block.nodes[e + j]), std::max(block.nodes[e + i], block.nodes[e + j])});
+          }
+        }
+      }
+    }
+    for (const EdgeId wire : wires) {
+      for (const auto& block : mesh.blocks) {
+        if (block.entity != EntityRef(wire)) continue;
+        const auto step = static_cast<std::size_t>(node_count(block.type));
+        for (std::size_t e = 0; e < block.nodes.size(); e += step) {
+          EXPECT_TRUE(sides.contains(
+              {std::min(block.nodes[e], block.nodes[e + 1]), std::max(block.nodes[e], block.nodes[e + 1])}));
+        }
+      }
+    }
+    for (const VertexId v : points) EXPECT_TRUE(corners.contains(v.value));
+    for (const std::uint32_t n : nodes_of(mesh, wires[4]))
+      EXPECT_NEAR(distance(mesh.nodes[n], {1, 1, 0.7}), 0.4, 1e-13);
+  }
+}
+
 TEST(MeshModel, VolumeConvergesWithTheSquareOfTheSize) {
   double error[3];
   const double sizes[3] = {1, 0.5, 0.25};
