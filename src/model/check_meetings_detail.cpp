@@ -157,6 +157,14 @@ class MeetingCheck {
     return {};
   }
 
+  /// In how many directions do two boxes have more than a few tolerances in common? What overlaps along a line needs
+  /// one, what overlaps in an area two.
+  static int common_extents(const Box3& a, const Box3& b, double tol) {
+    int n = 0;
+    for (int i = 0; i < 3; ++i) n += std::min(a.high[i], b.high[i]) - std::max(a.low[i], b.low[i]) > 4 * tol;
+    return n;
+  }
+
   bool vertex_of(FaceId f, VertexId v) const { return of_face_vertex_[v.index()] == f.value; }
 
   void crossing(EdgeId e, FaceId f, Vec3 place, double allowed, const char* how) {
@@ -195,7 +203,7 @@ class MeetingCheck {
       const Vec3 p = i == 0 ? a : b;
       if (inside(f, local(plane, p), tol)) return crossing(e, f, p, tol, " ends inside ");
     }
-    if (!on_a || !on_b) return;
+    if (!on_a || !on_b || common_extents(edge_boxes_[e.index()], face_boxes_[f.index()], tol) == 0) return;
     for (const double s : {0.5, 0.21, 0.83, 0.04, 0.96}) {
       const Vec3 p = lerp(a, b, s);
       if (inside(f, local(plane, p), tol)) return crossing(e, f, p, tol, " runs along the inside of ");
@@ -323,7 +331,7 @@ class MeetingCheck {
     bool above = false, below = false;
     sides(g, p, tol, above, below);
     if (!above && !below) return overlap(f, g, tol);
-    if (!above || !below) return;
+    if (!above || !below || common_extents(face_boxes_[f.index()], face_boxes_[g.index()], tol) == 0) return;
     sides(f, q, tol, above, below);
     if (!above || !below) return;
     // The common line, cut where edges of either face meet the other's plane.
@@ -392,6 +400,7 @@ class MeetingCheck {
 
   /// Faces on one surface: is a point of one, inside it or on its boundary, inside the other?
   void overlap(FaceId f, FaceId g, double tol) {
+    if (common_extents(face_boxes_[f.index()], face_boxes_[g.index()], tol) < 2) return;
     for (int turn = 0; turn < 2; ++turn) {
       const FaceId a = turn == 0 ? f : g, b = turn == 0 ? g : f;
       const Surface& other = model_.surface(b);
