@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/union_find.h"
+#include "model/inherit.h"
 #include "topology/assemble.h"
 
 namespace aresta {
@@ -268,21 +269,7 @@ class Simplifier {
 
 Result<Extraction> simplify(const Model& model) {
   ARESTA_TRY(Extraction result, Simplifier(model).run());
-  const Complex& k = result.model.topology();
-  const auto copy_labels = [&](EntityRef from, EntityRef to) {
-    const auto found = model.labels.attributes.find(from);
-    if (found != model.labels.attributes.end()) result.model.labels.attributes[to] = found->second;
-    for (std::size_t g = 0; g < model.labels.groups.size(); ++g) {
-      const auto& members = model.labels.groups[g].entities;
-      if (std::binary_search(members.begin(), members.end(), from))
-        result.model.labels.groups[g].entities.push_back(to);
-    }
-  };
-  for (const Group& g : model.labels.groups) result.model.labels.groups.push_back({g.name, {}});
-  for (const VertexId v : k.vertices()) copy_labels(result.from.vertices[v.index()], v);
-  for (const EdgeId e : k.edges()) copy_labels(result.from.edges[e.index()], e);
-  for (const FaceId f : k.faces()) copy_labels(result.from.faces[f.index()], f);
-  for (const RegionId r : k.regions()) copy_labels(result.from.regions[r.index()].front(), r);
+  copy_labels(model, result.from, result.model);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "exchange/errors.h"
 #include "exchange/formats.h"
+#include "exchange/join_parts.h"
 
 namespace aresta {
 
@@ -70,6 +71,9 @@ Result<Model> import_file(const std::string& path, const ImportOptions& options,
     Error error = std::move(read).error();
     if (error.code.failure == Failure::file) error.message = path + ": " + error.message;
     return error;
+  }
+  if (options.join) {
+    ARESTA_TRY(*read, join_touching_parts(std::move(*read), report, context));
   }
   if (options.check) {
     Status valid = require_valid(*read, options.level, context);

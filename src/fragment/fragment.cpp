@@ -5,6 +5,7 @@
 
 #include "base/union_find.h"
 #include "model/extract.h"
+#include "model/inherit.h"
 #include "model/measure.h"
 #include "model/query.h"
 
@@ -345,6 +346,7 @@ Result<Fragment> fragment(std::vector<std::shared_ptr<const Model>> operands, co
   imprint->builder.provenance = make_provenance(result, *imprint);
   ARESTA_TRY(Model filled,
              imprint->builder.build(cells, filled_cells(result, imprint->face_parents, options.detect_regions)));
+  result.conflicts = inherit_labels(filled);
   result.model = std::make_shared<const Model>(std::move(filled));
   return result;
 }

@@ -18,6 +18,7 @@
 
 #include "fragment/engine.h"
 #include "fragment/errors.h"
+#include "model/inherit.h"
 
 namespace aresta {
 
@@ -34,6 +35,8 @@ struct Fragment {
   std::vector<std::vector<RegionId>> region_of;
   /// same_sense[f] tells, for each parent of face f that is a face, whether both normals agree.
   std::vector<std::vector<bool>> same_sense;
+
+  std::vector<LabelConflict> conflicts;  ///< labels on which an entity's parents disagree
 
   /// Pieces of an operand's vertex, edge or face in the model, sorted.
   std::span<const std::uint32_t> pieces(std::uint32_t operand, EntityRef entity) const;

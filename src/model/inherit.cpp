@@ -42,6 +42,7 @@ std::vector<const Attributes*> deciding(const std::vector<const Attributes*>& al
 std::vector<LabelConflict> inherit_labels(Model& model) {
   std::vector<LabelConflict> conflicts;
   if (!model.provenance) return conflicts;
+  model.labels = {};
   const Provenance& provenance = *model.provenance;
   std::map<std::string, std::vector<EntityRef>> groups;
   std::map<Parent, std::vector<std::string>> groups_of;
@@ -78,6 +79,29 @@ std::vector<LabelConflict> inherit_labels(Model& model) {
     model.labels.groups.push_back({name, std::move(entities)});
   }
   return conflicts;
+}
+
+void copy_labels(const Model& source, const ExtractionMap& from, Model& result) {
+  const auto copy = [&](EntityRef old, EntityRef now) {
+    const auto found = source.labels.attributes.find(old);
+    if (found != source.labels.attributes.end()) result.labels.attributes[now] = found->second;
+    for (std::size_t g = 0; g < source.labels.groups.size(); ++g) {
+      const auto& members = source.labels.groups[g].entities;
+      if (std::binary_search(members.begin(), members.end(), old)) result.labels.groups[g].entities.push_back(now);
+    }
+  };
+  result.labels = {};
+  for (const Group& g : source.labels.groups) result.labels.groups.push_back({g.name, {}});
+  for (std::size_t v = 0; v < from.vertices.size(); ++v) copy(from.vertices[v], VertexId(v));
+  for (std::size_t e = 0; e < from.edges.size(); ++e) copy(from.edges[e], EdgeId(e));
+  for (std::size_t f = 0; f < from.faces.size(); ++f) copy(from.faces[f], FaceId(f));
+  for (std::size_t r = 0; r < from.regions.size(); ++r) {
+    for (const RegionId cell : from.regions[r]) {
+      if (!source.is_region(cell)) continue;
+      copy(cell, RegionId(r));
+      break;
+    }
+  }
 }
 
 }  // namespace aresta

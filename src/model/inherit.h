@@ -7,7 +7,7 @@
 // members.
 #pragma once
 
-#include "model/model.h"
+#include "model/extract.h"
 
 namespace aresta {
 
@@ -17,7 +17,12 @@ struct LabelConflict {
   std::vector<Parent> parents;
 };
 
-/// Fills model.labels from model.provenance (which must be set); returns the disagreements, sorted by entity.
+/// Replaces model.labels by what follows from model.provenance (which must be set); returns the disagreements, sorted
+/// by entity.
 std::vector<LabelConflict> inherit_labels(Model& model);
+
+/// Replaces the labels of an extracted model by those of what it was extracted from; a region has those of its first
+/// cell that is a region.
+void copy_labels(const Model& source, const ExtractionMap& from, Model& result);
 
 }  // namespace aresta
