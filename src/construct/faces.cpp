@@ -11,19 +11,6 @@ namespace aresta {
 
 namespace {
 
-/// Is the point in the plane of `frame` inside the loop? Even-odd rule; the point is not on the loop.
-bool inside_loop(std::span<const Vec3> points, const IndexLoop& loop, const Frame& frame, Vec3 p) {
-  const Vec3 at = frame.to_local(p);
-  bool inside = false;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec3 a = frame.to_local(points[loop[i]]), b = frame.to_local(points[loop[(i + 1) % loop.size()]]);
-    if ((a.y > at.y) == (b.y > at.y)) continue;
-    const double x = a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x);
-    if (x > at.x) inside = !inside;
-  }
-  return inside;
-}
-
 std::string loop_name(std::size_t l) {
   return l == 0 ? "points" : "holes[" + std::to_string(l - 1) + "]";
 }

@@ -120,6 +120,18 @@ std::optional<Crossing> find_crossing(std::span<const Vec3> points, std::span<co
   return std::nullopt;
 }
 
+bool inside_loop(std::span<const Vec3> points, const IndexLoop& loop, const Frame& frame, Vec3 p) {
+  const Vec3 at = frame.to_local(p);
+  bool inside = false;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec3 a = frame.to_local(points[loop[i]]), b = frame.to_local(points[loop[(i + 1) % loop.size()]]);
+    if ((a.y > at.y) == (b.y > at.y)) continue;
+    const double x = a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x);
+    if (x > at.x) inside = !inside;
+  }
+  return inside;
+}
+
 PlanarParts::PlanarParts(ModelBuilder& builder, std::span<const Vec3> points) : builder_(builder), points_(points) {
   for (const Vec3& p : points) vertices_.push_back(builder.add_vertex(p));
 }

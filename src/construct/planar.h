@@ -32,6 +32,9 @@ struct Crossing {
 std::optional<Crossing> find_crossing(std::span<const Vec3> points, std::span<const IndexLoop> loops,
                                       const Frame& frame, double tolerance);
 
+/// Is the point in the plane of `frame` inside the closed polygon? Even-odd rule; for points that are not on it.
+bool inside_loop(std::span<const Vec3> points, const IndexLoop& loop, const Frame& frame, Vec3 p);
+
 /// Shares vertices and straight edges among faces given by point indices.
 class PlanarParts {
  public:

@@ -7,6 +7,7 @@
 #include "construct/arguments.h"
 #include "construct/planar.h"
 #include "construct/primitives.h"
+#include "model/check.h"
 
 namespace aresta {
 
@@ -211,6 +212,7 @@ Result<Model> polyhedron(std::span<const Vec3> points, std::span<const Polyhedro
     }
     return model;
   }
+  ARESTA_CHECK(require_valid(*model, CheckLevel::full, context));
   return model;
 }
 

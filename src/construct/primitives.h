@@ -53,8 +53,8 @@ struct PolyhedronFace {
 /// Solids bounded by plane faces. Outer loops run counterclockwise seen from outside (holes may run either way).
 /// Several shells are allowed: separate solids, voids (their faces look into the void), and solids that touch in
 /// vertices or edges. Points nearer than the tolerance are one. Errors: not_planar, self_intersection (a loop of a
-/// face), not_closed (an edge without its other side), inside_out, points_coincide. Faces that cross each other are not
-/// found here: model/check.h finds them.
+/// face), not_closed (an edge without its other side), inside_out, points_coincide, and what
+/// model/check.h finds: faces that cross.
 Result<Model> polyhedron(std::span<const Vec3> points, std::span<const PolyhedronFace> faces,
                          const ConstructOptions& options = {}, const Context& context = {});
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/context.h"
 #include "construct/options.h"
 #include "model/model.h"
 
@@ -20,6 +21,13 @@ Result<Model> polygon(std::span<const Vec3> points, std::span<const std::vector<
 
 /// Plane round face about the axis: 1 vertex, 1 edge.
 Result<Model> disk(double r, const Placement& placement = {}, const ConstructOptions& options = {});
+
+/// The plane face inside closed wires (lines, arcs, splines, ...), given in any order and direction, whose ends meet
+/// within tolerance: the largest outline, less the others, which lie inside it. Its normal follows from the direction
+/// of the first edge given of the outline, by the right-hand rule. Errors: not_closed, not_planar, self_intersection,
+/// bad_profile.
+Result<Model> planar_face(std::span<const Model* const> wires, const ConstructOptions& options = {},
+                          const Context& context = {});
 
 /// Straight edges from point to point. The last point may repeat the first of a closed one.
 Result<Model> polyline(std::span<const Vec3> points, bool closed = false, const ConstructOptions& options = {});

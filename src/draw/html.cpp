@@ -72,6 +72,7 @@ Result<std::string> scene_json(const Scene& scene, const HtmlOptions& options, c
       for (const std::uint32_t v : t) append_number(triangles, std::uint32_t(v + point_count));
     }
     append_entry(faces, "{\"id\":" + std::to_string(f.face.value) + ",\"name\":" + json_string(f.name) +
+                            ",\"kind\":" + json_string(f.kind) + (f.own_color ? ",\"own\":true" : "") +
                             ",\"regions\":[" + region_json(f.regions[0]) + "," + region_json(f.regions[1]) +
                             "],\"color\":" + color_json(f.color) +
                             ",\"points\":" + range_json(point_count, f.points.size()) +

@@ -27,7 +27,9 @@ struct FacePatch {
   std::vector<Vec3> normals;  ///< unit, one per point, along the face's normal; empty: use the triangles' own
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from the face's front side
   Color color{170, 190, 215, 255};
-  std::string name;  ///< shown when picked; may be empty
+  bool own_color = false;  ///< `color` is the face's own and wins over those of its regions
+  std::string name;        ///< shown when picked; may be empty
+  std::string kind;        ///< of its surface, as in "plane"; shown when picked; may be empty
 };
 
 /// One edge as a polyline; its inner points are points of the patches of the faces that it bounds.

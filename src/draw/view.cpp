@@ -156,7 +156,7 @@ const RegionInfo* FaceColors::find(RegionId region) const {
 }
 
 Color FaceColors::of(const FacePatch& patch, int side) const {
-  if (coloring_ == Coloring::faces) return patch.color;
+  if (coloring_ == Coloring::faces || patch.own_color) return patch.color;
   if (const RegionInfo* behind = find(patch.regions[1 - side])) return behind->color;
   if (const RegionInfo* before = find(patch.regions[side])) return before->color;
   return patch.color;

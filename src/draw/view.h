@@ -20,7 +20,8 @@ struct ViewOptions {
 };
 
 enum class Coloring {
-  regions,  ///< a face has the colour of the region behind the side that is seen (or of the one before it)
+  regions,  ///< a face has the colour of the region behind the side that is seen (or of the one before it), if it has
+            ///< no own
   faces,    ///< FacePatch::color
 };
 

@@ -39,7 +39,7 @@ const items = [];
 faces.forEach((f, face) => {
   const own = [...new Set(f.regions.filter(r => r >= 0))];
   for (const region of own.length ? own : [-1]) {
-    items.push({face, region, color: scene.coloring === 'faces' || region < 0 ? f.color : regions[region].color});
+    items.push({face, region, color: scene.coloring === 'faces' || f.own || region < 0 ? f.color : regions[region].color});
   }
 });
 // So are its edges.
@@ -574,7 +574,8 @@ const choose = (face, region) => {
   }
   if (face >= 0) {
     entry('face', String(faces[face].id));
-    if (faces[face].name) entry('kind', faces[face].name);
+    if (faces[face].name) entry('name', faces[face].name);
+    if (faces[face].kind) entry('kind', faces[face].kind);
     const sides = faces[face].regions;
     if (sides[0] >= 0 && sides[1] >= 0 && sides[0] !== sides[1]) entry('between', regionName(sides[0]) + ' and ' + regionName(sides[1]));
     else if (sides[0] < 0 && sides[1] < 0) entry('between', 'a sheet in open space');

@@ -20,6 +20,29 @@ Pages<T> to_pages(const std::vector<T>& items) {
   return pages;
 }
 
+/// Some radial order, as the coedges come. The largest number of uses that an edge has.
+Result<std::size_t> link_coedges(Incidence& incidence, const std::vector<Vec3>& points) {
+  for (std::uint32_t v = 0; v < incidence.vertex_count; ++v) {
+    if (!is_finite(points[v]))
+      return Error{errors::invalid_model, "a vertex has a coordinate that is not a finite number", {VertexId(v)}};
+  }
+  std::vector<std::uint32_t> last(incidence.edge_count(), none), first(incidence.edge_count(), none);
+  std::vector<std::size_t> uses(incidence.edge_count(), 0);
+  incidence.radial_next.assign(incidence.coedges.size(), none);
+  std::size_t most = 0;
+  for (std::uint32_t c = 0; c < incidence.coedges.size(); ++c) {
+    const std::uint32_t e = incidence.coedges[c] >> 1;
+    if (e >= incidence.edge_count()) return Error{errors::bad_incidence, "a loop names an edge that does not exist"};
+    (last[e] == none ? first[e] : incidence.radial_next[last[e]]) = c;
+    last[e] = c;
+    most = std::max(most, ++uses[e]);
+  }
+  for (std::uint32_t e = 0; e < incidence.edge_count(); ++e) {
+    if (last[e] != none) incidence.radial_next[last[e]] = first[e];
+  }
+  return most;
+}
+
 }  // namespace
 
 VertexId ModelBuilder::add_vertex(Vec3 point, double tolerance_of_vertex) {
@@ -88,8 +111,11 @@ void ModelBuilder::set_constraint(FaceId face, bool constraint) {
 
 Result<Model> ModelBuilder::build(const Cells& cells, const std::vector<bool>& filled) {
   if (incidence_.radial_next.size() != incidence_.coedges.size()) {
-    ARESTA_TRY(const Model model, provisional());
-    ARESTA_CHECK(order_radially(model, incidence_));
+    ARESTA_TRY(const std::size_t most_uses, link_coedges(incidence_, points_));
+    if (most_uses > 2) {  // two uses have but one cyclic order
+      ARESTA_TRY(const Model model, provisional());
+      ARESTA_CHECK(order_radially(model, incidence_));
+    }
   }
   incidence_.region_count = cells.count;
   incidence_.region_filled = filled;
@@ -115,21 +141,7 @@ Result<Model> ModelBuilder::build(const Cells& cells, const std::vector<bool>& f
 
 /// Everything in infinite space and any radial order: enough to ask for geometry by loops.
 Result<Model> ModelBuilder::provisional() {
-  for (std::uint32_t v = 0; v < incidence_.vertex_count; ++v) {
-    if (!is_finite(points_[v]))
-      return Error{errors::invalid_model, "a vertex has a coordinate that is not a finite number", {VertexId(v)}};
-  }
-  std::vector<std::uint32_t> last(incidence_.edge_count(), none), first(incidence_.edge_count(), none);
-  incidence_.radial_next.assign(incidence_.coedges.size(), none);
-  for (std::uint32_t c = 0; c < incidence_.coedges.size(); ++c) {
-    const std::uint32_t e = incidence_.coedges[c] >> 1;
-    if (e >= incidence_.edge_count()) return Error{errors::bad_incidence, "a loop names an edge that does not exist"};
-    (last[e] == none ? first[e] : incidence_.radial_next[last[e]]) = c;
-    last[e] = c;
-  }
-  for (std::uint32_t e = 0; e < incidence_.edge_count(); ++e) {
-    if (last[e] != none) incidence_.radial_next[last[e]] = first[e];
-  }
+  ARESTA_CHECK(link_coedges(incidence_, points_));
   Cells all_infinite;
   all_infinite.of_face_use.assign(2 * std::size_t{incidence_.face_count()}, 0);
   all_infinite.of_edge.assign(incidence_.edge_count(), 0);

@@ -92,7 +92,11 @@ class SceneMaker {
     for (const RegionId r : {patch.regions[0], patch.regions[1]}) {  // the region behind has the last word
       if (r.valid()) patch.color = color_of_.at(r);
     }
-    if (const auto own = parse_color(model_.labels, f)) patch.color = *own;
+    if (const auto own = parse_color(model_.labels, f)) {
+      patch.color = *own;
+      patch.own_color = true;
+    }
+    patch.kind = model_.surface(f).kind();
     scene_.faces.push_back(std::move(patch));
   }
 

@@ -60,12 +60,14 @@ TEST(Html, NamesAreNeverMarkup) {
   Scene scene;
   scene.title = "</title><script>alert(1)</script> @SCENE@ & \"x\"";
   test::add_block(scene, {0, 0, 0}, {1, 1, 1}, palette(0), "</script><img onerror=alert(2)> \\ \" \xff\n");
-  scene.faces[0].name = "<!-- plane";
+  scene.faces[0].name = "<!-- front";
+  scene.faces[0].kind = "<b>plane";
   const std::string page = page_of(scene);
   EXPECT_EQ(count(page, "</script"), 2u);
   EXPECT_EQ(count(page, "<script"), 2u);
   EXPECT_EQ(count(page, "<img"), 0u);
   EXPECT_EQ(count(page, "<!--"), 0u);
+  EXPECT_EQ(count(page, "<b>"), 0u);
   EXPECT_NE(page.find("\\u003c/script\\u003e\\u003cimg onerror=alert(2)\\u003e \\\\ \\\" \xef\xbf\xbd\\u000a"),
             std::string::npos);
   EXPECT_NE(page.find("<title>&lt;/title&gt;&lt;script&gt;alert(1)&lt;/script&gt; @SCENE@ &amp; &quot;x&quot;</title>"),

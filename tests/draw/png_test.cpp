@@ -184,6 +184,15 @@ TEST(Png, RegionColoursBelongToWhatIsBehindTheSide) {
   const Image image = image_of(scene, front_options());
   EXPECT_TRUE(reddish(image.at(40, 50)));
   EXPECT_TRUE(greenish(image.at(60, 50)));
+  // A face's own colour wins; so do all faces' colours when asked for.
+  scene.faces[2].color = blue;  // y- of the first block
+  scene.faces[2].own_color = true;
+  EXPECT_TRUE(bluish(image_of(scene, front_options()).at(40, 50)));
+  scene.faces[8].color = blue;
+  RenderOptions options = front_options();
+  EXPECT_TRUE(greenish(image_of(scene, options).at(60, 50)));
+  options.coloring = Coloring::faces;
+  EXPECT_TRUE(bluish(image_of(scene, options).at(60, 50)));
 }
 
 TEST(Png, ExplodedSharedFaceIsThereTwice) {
