@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Booleans between groups, fragment, region detection, clean-up, cuts and sections.
 #include <algorithm>
+#include <set>
 
 #include "boolean/boolean.h"
 #include "boolean/errors.h"
@@ -68,6 +69,17 @@ Result<Value> many_operands(Call& call, BooleanKind kind) {
   return run_boolean(call, kind, shapes);
 }
 
+/// Do parts of one model have no vertex in common?
+bool share_nothing(const std::vector<Part>& parts) {
+  std::set<std::pair<const Model*, EntityRef>> seen;
+  for (const Part& part : parts) {
+    for (const EntityRef v : closure(part, EntityKind::vertex)) {
+      if (!seen.emplace(part.model.get(), v).second) return false;
+    }
+  }
+  return true;
+}
+
 /// The shapes as models that hold nothing but what is listed, each once; empty ones left out.
 Result<std::vector<std::shared_ptr<const Model>>> models_of(Call& call, const std::vector<ShapePtr>& shapes, const std::string& parameter) {
   // Entities of one model stay together, so that what they share stays shared.
@@ -76,9 +88,11 @@ Result<std::vector<std::shared_ptr<const Model>>> models_of(Call& call, const st
     ARESTA_TRY(const ModelShapePtr x, model_shape(call, s, parameter));
     parts.insert(parts.end(), x->parts().begin(), x->parts().end());
   }
-  const ModelShape all(std::move(parts));
+  const ModelShape all(parts);
   std::vector<std::shared_ptr<const Model>> models;
-  for (const Part& part : all.parts()) {
+  // Shapes that are components of one model (which may not know that they touch, as in a file) are apart from the start.
+  const bool apart = all.parts().size() < parts.size() && share_nothing(parts);
+  for (const Part& part : apart ? parts : all.parts()) {
     ARESTA_TRY(std::shared_ptr<Model> model, as_model(ModelShape({part}), call.context()));
     if (model->topology().vertex_count() > 0) models.push_back(std::move(model));
   }
