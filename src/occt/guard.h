@@ -3,6 +3,9 @@
 // where OCCT may be seen.
 #pragma once
 
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
 #include <Message_ProgressIndicator.hxx>
 #include <Message_ProgressScope.hxx>
 #include <Standard_Failure.hxx>
@@ -21,10 +24,17 @@ inline std::string describe(const Standard_Failure& failure) {
   return text;
 }
 
+/// The library's own messages go nowhere: what matters of them comes back as errors.
+inline void silence() {
+  static const int removed = Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+  static_cast<void>(removed);
+}
+
 /// What `body` returns, or an error with `code` in place of any exception.
 template <class Body>
 auto guarded(const ErrorCode& code, const std::string& what, Body body) -> decltype(body()) {
   try {
+    silence();
     return body();
   } catch (const Standard_Failure& failure) {
     return Error{code, what + ": the geometry kernel failed (" + describe(failure) + ")"};

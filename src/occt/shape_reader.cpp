@@ -247,9 +247,9 @@ class Reader {
     for (int s = 1; s <= maps_.solids.Extent(); ++s) {
       SolidSides& sides = maps_.sides[static_cast<std::size_t>(s - 1)];
       const TopoDS_Shape solid = maps_.solids(s).Oriented(TopAbs_FORWARD);
-      int closed_shells = 0;
+      const TopoDS_Shell outer = BRepClass3d::OuterShell(TopoDS::Solid(solid));
       for (TopoDS_Iterator it(solid); it.More(); it.Next()) {
-        bool bounds = false;
+        VoidSides shell{it.Value(), {}};
         for (TopExp_Explorer face(it.Value(), TopAbs_FACE); face.More(); face.Next()) {
           const int i = maps_.faces.FindIndex(face.Current());
           const TopAbs_Orientation here = face.Current().Orientation();
@@ -262,12 +262,11 @@ class Reader {
             sides.inside.push_back(inside);
             fills_[inside.index()] = Fill::filled;
             if (fills_[inside.opposite().index()] == Fill::unknown) fills_[inside.opposite().index()] = Fill::empty;
-            bounds = true;
+            shell.outside.push_back(inside.opposite());
           }
         }
-        if (bounds) ++closed_shells;
+        if (!it.Value().IsSame(outer) && !shell.outside.empty()) sides.voids.push_back(std::move(shell));
       }
-      sides.has_voids = closed_shells > 1;
     }
   }
 

@@ -11,9 +11,14 @@
 
 namespace aresta {
 
+struct VoidSides {
+  TopoDS_Shape shell;            ///< as part of the solid: its faces look into the void
+  std::vector<FaceUse> outside;  ///< the sides of faces that look into the void
+};
+
 struct SolidSides {
   std::vector<FaceUse> inside;  ///< the sides of faces that look into the solid
-  bool has_voids = false;
+  std::vector<VoidSides> voids;
 };
 
 struct ShapeMaps {

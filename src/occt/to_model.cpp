@@ -3,11 +3,18 @@
 
 #include <BRepBndLib.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
+#include <map>
 
 #include "model/query.h"
 #include "occt/errors.h"
@@ -18,30 +25,6 @@
 namespace aresta {
 
 namespace {
-
-/// Cells as the solids say: one per solid, everything else infinite space. For solids without voids, and nothing else.
-Cells cells_of_solids(const ShapeMaps& maps, std::size_t face_count, std::vector<bool>& filled) {
-  Cells cells;
-  cells.count = 1 + static_cast<std::uint32_t>(maps.sides.size());
-  cells.of_face_use.assign(2 * face_count, 0);
-  for (std::size_t s = 0; s < maps.sides.size(); ++s) {
-    for (const FaceUse use : maps.sides[s].inside) cells.of_face_use[use.index()] = static_cast<std::uint32_t>(s + 1);
-  }
-  cells.of_edge.assign(static_cast<std::size_t>(maps.edges.Extent()), Incidence::none);
-  cells.of_vertex.assign(static_cast<std::size_t>(maps.vertices.Extent()), Incidence::none);
-  filled.assign(cells.count, true);
-  filled[0] = false;
-  return cells;
-}
-
-bool only_solids(const ShapeMaps& maps, std::size_t face_count) {
-  std::vector<bool> used(face_count, false);
-  for (const SolidSides& sides : maps.sides) {
-    if (sides.has_voids) return false;
-    for (const FaceUse use : sides.inside) used[use.face().index()] = true;
-  }
-  return !maps.sides.empty() && std::all_of(used.begin(), used.end(), [](bool b) { return b; });
-}
 
 gp_Pnt to_pnt(Vec3 p) {
   return {p.x, p.y, p.z};
@@ -60,38 +43,151 @@ Result<Vec3> point_inside(const Model& model, const SolidSides& sides, BRepClass
       if (solid.State() == TopAbs_IN) return p;
     }
   }
-  return Error{
-      errors::to_model_failed, "no point is found inside a solid", {model.topology().region(sides.inside.front())}};
+  return Error{errors::to_model_failed, "no point is found inside a solid", {sides.inside.front().face()}};
 }
 
-/// Does some solid have a point of another one's inside in its own?
-Status require_apart(const Model& model, const ShapeMaps& maps, const Context& context) {
-  const std::size_t n = maps.sides.size();
-  std::vector<Bnd_Box> boxes(n);
-  std::vector<Vec3> inner(n);
-  const auto solid = [&](std::size_t s) { return maps.solids(static_cast<int>(s) + 1).Oriented(TopAbs_FORWARD); };
-  for (std::size_t s = 0; s < n; ++s) {
-    BRepBndLib::Add(solid(s), boxes[s], Standard_False);
-    BRepClass3d_SolidClassifier classifier(solid(s));
-    ARESTA_TRY(inner[s], point_inside(model, maps.sides[s], classifier, std::sqrt(boxes[s].SquareExtent())));
+/// Cells taken from what the solids themselves say, for solids that touch without sharing anything: where one lies
+/// among the others cannot be asked by rays there. Each solid is one cell, each void one more; what surrounds a solid
+/// is the void around it, or infinite space.
+class SolidCells {
+ public:
+  SolidCells(const Model& model, const ShapeMaps& maps, const Context& context)
+      : model_(model), maps_(maps), context_(context) {}
+
+  Status run() {
+    const std::size_t n = maps_.sides.size();
+    for (std::size_t s = 0; s < n; ++s) {
+      ARESTA_CHECK(context_.step(static_cast<double>(s) / static_cast<double>(n), "looking at solids one by one"));
+      ARESTA_CHECK(require_closed(s));
+      solids_.emplace_back(solid(s));
+      BRepBndLib::Add(solid(s), boxes_.emplace_back(), Standard_False);
+      auto p = point_inside(model_, maps_.sides[s], solids_.back(), std::sqrt(boxes_.back().SquareExtent()));
+      if (!p.ok()) return std::move(p).error();
+      inner_.push_back(*p);
+    }
+    ARESTA_CHECK(require_apart());
+    number();
+    return {};
   }
-  for (std::size_t s = 0; s < n; ++s) {
-    ARESTA_CHECK(context.step(static_cast<double>(s) / static_cast<double>(n), "looking for overlapping solids"));
-    BRepClass3d_SolidClassifier classifier(solid(s));
-    for (std::size_t other = 0; other < n; ++other) {
-      const Vec3 p = inner[other];
-      if (other == s || boxes[s].IsOut(to_pnt(p))) continue;
-      classifier.Perform(to_pnt(p), Precision::Confusion());
-      if (classifier.State() == TopAbs_OUT) continue;
-      const auto region = [&](std::size_t i) { return model.topology().region(maps.sides[i].inside.front()); };
-      return Error{errors::solids_overlap,
-                   "one solid lies in the material of another",
-                   {region(s), region(other)},
-                   {{p.x, p.y, p.z}},
-                   "read the solids one by one and fragment them"};
+
+  Cells cells;
+  std::vector<bool> filled;
+
+ private:
+  TopoDS_Shape solid(std::size_t s) const { return maps_.solids(static_cast<int>(s) + 1).Oriented(TopAbs_FORWARD); }
+
+  /// At each edge as many of the solid's sides run one way as the other, and they enclose a positive volume.
+  Status require_closed(std::size_t s) const {
+    const Complex& k = model_.topology();
+    std::map<EdgeId, int> balance;
+    for (const FaceUse use : maps_.sides[s].inside) {
+      for (const LoopId l : k.loops(use.face())) {
+        for (const CoedgeId c : k.coedges(l)) balance[k.edge(c)] += k.reversed(c) == (use.side() == 0) ? 1 : -1;
+      }
+    }
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(solid(s), properties);
+    const bool closed = std::all_of(balance.begin(), balance.end(), [](const auto& e) { return e.second == 0; });
+    if (closed && properties.Mass() > 0) return {};
+    return Error{errors::open_solid,
+                 "the faces of a solid do not enclose it: it is open or turned inside out",
+                 {maps_.sides[s].inside.front().face()}};
+  }
+
+  Status require_apart() {
+    for (std::size_t s = 0; s < inner_.size(); ++s) {
+      for (std::size_t other = 0; other < inner_.size(); ++other) {
+        const gp_Pnt p = to_pnt(inner_[other]);
+        if (other == s || boxes_[s].IsOut(p)) continue;
+        solids_[s].Perform(p, Precision::Confusion());
+        if (solids_[s].State() == TopAbs_OUT) continue;
+        return Error{errors::solids_overlap,
+                     "one solid lies in the material of another",
+                     {maps_.sides[s].inside.front().face(), maps_.sides[other].inside.front().face()},
+                     {{p.X(), p.Y(), p.Z()}},
+                     "read the solids one by one and fragment them"};
+      }
+    }
+    return {};
+  }
+
+  void number() {
+    const std::size_t n = maps_.sides.size();
+    cells.of_face_use.assign(2 * model_.topology().face_count(), 0);
+    cells.of_edge.assign(model_.topology().edge_count(), Incidence::none);
+    cells.of_vertex.assign(model_.topology().vertex_count(), Incidence::none);
+    cells.count = 1 + static_cast<std::uint32_t>(n);
+    filled.assign(cells.count, true);
+    filled[0] = false;
+    const std::vector<std::uint32_t> around = find_surroundings();
+    for (std::size_t s = 0; s < n; ++s) {
+      for (const FaceUse use : maps_.sides[s].inside) cells.of_face_use[use.opposite().index()] = around[s];
+    }
+    std::uint32_t next = static_cast<std::uint32_t>(n) + 1;
+    for (const SolidSides& sides : maps_.sides) {
+      for (const VoidSides& hollow : sides.voids) {
+        for (const FaceUse use : hollow.outside) cells.of_face_use[use.index()] = next;
+        ++next;
+      }
+    }
+    for (std::size_t s = 0; s < n; ++s) {  // last: what is material on one side is material
+      for (const FaceUse use : maps_.sides[s].inside) {
+        cells.of_face_use[use.index()] = static_cast<std::uint32_t>(s) + 1;
+      }
     }
   }
-  return {};
+
+  /// Per solid the cell of the smallest void that holds it, else 0. Gives the voids their cells.
+  std::vector<std::uint32_t> find_surroundings() {
+    std::vector<std::uint32_t> around(inner_.size(), 0);
+    std::vector<double> smallest(inner_.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t s = 0; s < inner_.size(); ++s) {
+      for (const VoidSides& hollow : maps_.sides[s].voids) {
+        const std::uint32_t cell = cells.count++;
+        filled.push_back(false);
+        TopoDS_Solid space;
+        BRep_Builder build;
+        build.MakeSolid(space);
+        build.Add(space, hollow.shell.Reversed());
+        GProp_GProps properties;
+        BRepGProp::VolumeProperties(space, properties);
+        BRepClass3d_SolidClassifier classifier(space);
+        for (std::size_t other = 0; other < inner_.size(); ++other) {
+          if (other == s || properties.Mass() >= smallest[other]) continue;
+          classifier.Perform(to_pnt(inner_[other]), Precision::Confusion());
+          if (classifier.State() != TopAbs_IN) continue;
+          around[other] = cell;
+          smallest[other] = properties.Mass();
+        }
+      }
+    }
+    return around;
+  }
+
+  const Model& model_;
+  const ShapeMaps& maps_;
+  const Context& context_;
+  std::deque<BRepClass3d_SolidClassifier> solids_;
+  std::vector<Bnd_Box> boxes_;
+  std::vector<Vec3> inner_;
+};
+
+bool only_solids(const ShapeMaps& maps, std::size_t face_count) {
+  std::vector<bool> used(face_count, false);
+  for (const SolidSides& sides : maps.sides) {
+    if (sides.inside.empty()) return false;
+    for (const FaceUse use : sides.inside) used[use.face().index()] = true;
+  }
+  return !maps.sides.empty() && std::all_of(used.begin(), used.end(), [](bool b) { return b; });
+}
+
+/// Everything in infinite space: enough to ask for geometry.
+Result<Model> build_unplaced(ModelBuilder& builder, const ShapeMaps& maps) {
+  Cells cells;
+  cells.of_face_use.assign(2 * builder.face_count(), 0);
+  cells.of_edge.assign(static_cast<std::size_t>(maps.edges.Extent()), Incidence::none);
+  cells.of_vertex.assign(static_cast<std::size_t>(maps.vertices.Extent()), Incidence::none);
+  return builder.build(cells, {false});
 }
 
 }  // namespace
@@ -106,13 +202,13 @@ Result<ModelOfShape> to_model(const OcctShape& shape, const ToModelOptions& opti
     ARESTA_CHECK(read_shape(shape.data().shape, builder, data->maps, context));
     Result<Model> built = builder.build(context);
     const bool nesting =
-        !built.ok() && (built.error().code == errors::nesting_failed || built.error().code == errors::ambiguous_fill);
+        !built.ok() && (built.error().code == errors::nesting_failed || built.error().code == errors::ambiguous_fill ||
+                        built.error().code == errors::open_solid);
     if (nesting && only_solids(data->maps, builder.face_count())) {
-      // Solids that touch without sharing: where one lies among the others cannot be asked, and need not be.
-      std::vector<bool> filled;
-      const Cells cells = cells_of_solids(data->maps, builder.face_count(), filled);
-      built = builder.build(cells, filled);
-      if (built.ok()) ARESTA_CHECK(require_apart(*built, data->maps, context));
+      ARESTA_TRY(const Model unplaced, build_unplaced(builder, data->maps));
+      SolidCells by_solids(unplaced, data->maps, context);
+      ARESTA_CHECK(by_solids.run());
+      built = builder.build(by_solids.cells, by_solids.filled);
     }
     if (!built.ok()) return std::move(built).error();
     const Complex& k = built->topology();
