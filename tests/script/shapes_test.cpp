@@ -186,6 +186,16 @@ cap = pi * 0.5 ** 2 * (3 - 0.5) / 3
 expect(volume(above), cap, rel=1e-7)
 expect(volume(below), 4 * pi / 3 - cap, rel=1e-7)
 expect(area(section(s, (0, 0, 0.5), (0, 0, 1))), 0.75 * pi, rel=1e-7)
+pair = fragment(block(1, 1, 2), block(1, 1, 2, at=(1, 0, 0)))
+above, below = cut(pair, (0, 0, 0.5), (0, 0, 1))
+expect([count(above), count(below), volume(above), volume(below)], [2, 2, 3, 1])
+expect(count(section(pair, (0, 0, 0.5), (0, 0, 1)), "faces"), 2)
+above, below = cut(pair, (0, 0, 9), (0, 0, 1))
+expect([count(above), count(below)], [0, 2])
+above, below = cut(pair, (0, 0, 2), (0, 0, 1))
+expect([count(above), count(below)], [0, 2])
+above, below = cut(line((0, 0, -1), (0, 0, 3)), (0, 0, 0), (0, 0, 1))
+expect([length(above), length(below)], [3, 1])
 expect(volume(intersection(block(2, 2, 2), half_space((1, 1, 0.5), (0, 0, 1)))), 2)
 expect(volume(block(2, 2, 2) - half_space((1, 1, 0.5), (0, 0, 1))), 6)
 )"},
@@ -204,7 +214,7 @@ expect(volume(s), 2)
 )"},
     {"shells and components", R"(
 hollow = block(3, 3, 3) - block(1, 1, 1, at=(1, 1, 1))
-expect([count(hollow, "shells"), count(hollow, "components"), genus(hollow)], [2, 2, 0])
+expect([count(hollow, "shells"), count(hollow, "components"), genus(hollow)], [2, 1, 0])  # the solid joins its two shells
 expect(contains(hollow, (1.5, 1.5, 1.5)), False)
 expect(contains(hollow, (0.5, 0.5, 0.5)), True)
 expect(contains(hollow, (0, 0, 0)), True)
@@ -267,7 +277,7 @@ const struct {
     {"x = bounds(block(1, 1, 1) - block(2, 2, 2))", "t.ars:1:5: model.unknown_entity: bounds: the shape is empty"},
     {"x = attribute(block(1, 1, 1), 'a', [1])", "t.ars:1:5: command.type: attribute: value must be a number, a text, True or False"},
     {"x = grid(block(1, 1, 1), (1000, 1000, 1000), (1, 1, 1))", "t.ars:1:5: construct.argument: grid: at most a million copies"},
-    {"volume = volume(block(1, 1, 1))\ny = volume(block(1, 1, 1))", "t.ars:2:5: script.type: 'volume' is 1.0, a number, and cannot be called; a variable of that name hides the command"},
+    {"volume = volume(block(1, 2, 3))\ny = volume(block(1, 1, 1))", "t.ars:2:5: script.type: 'volume' is 6.0, a number, and cannot be called; a variable of that name hides the command"},
 };
 
 TEST(Shapes, RefusedWithPlaceAndReason) {
