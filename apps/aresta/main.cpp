@@ -57,6 +57,14 @@ CLI::App* add_command(CLI::App& app, Common& common, const char* name, const cha
   return sub;
 }
 
+int say(Output& output, const std::string& text) {
+  Status status = output.write(text);
+  if (status) status = output.flush();
+  if (status) return status_done;
+  report("aresta: " + status.error().to_line());
+  return exit_status(status.error());
+}
+
 int main_in_words(int argc, char** argv) {
   Program program;
   CLI::App app(description, "aresta");
@@ -174,9 +182,9 @@ int main_in_words(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     const CLI::App* shown = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
-    return program.output.write(shown->help(shown == &app ? "" : "aresta", CLI::AppFormatMode::Normal)) && program.output.flush() ? status_done : status_file;
+    return say(program.output, shown->help(shown == &app ? "" : "aresta", CLI::AppFormatMode::Normal));
   } catch (const CLI::CallForVersion& version) {
-    return program.output.write(std::string(version.what()) + "\n") && program.output.flush() ? status_done : status_file;
+    return say(program.output, std::string(version.what()) + "\n");
   } catch (const CLI::ParseError& error) {
     const bool sub = !app.get_subcommands().empty();
     std::string text = error.what();
