@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstring>
 
 namespace aresta::app {
 
@@ -12,11 +13,30 @@ namespace {
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+// Plain memory: a signal handler may use nothing else. Filled before the flag is set.
+char temporary_file[4096];
+char temporary_folder[4096];
+std::atomic<bool> has_temporary{false};
+
 extern "C" void on_interrupt(int) {
-  if (interrupted.exchange(true)) ::_exit(130);
+  if (!interrupted.exchange(true)) return;
+  if (has_temporary) {
+    ::unlink(temporary_file);
+    ::rmdir(temporary_folder);
+  }
+  ::_exit(130);
 }
 
 }  // namespace
+
+void remember_temporary(const std::string& file, const std::string& folder) {
+  if (file.size() >= sizeof temporary_file || folder.size() >= sizeof temporary_folder) return;
+  std::memcpy(temporary_file, file.c_str(), file.size() + 1);
+  std::memcpy(temporary_folder, folder.c_str(), folder.size() + 1);
+  has_temporary = true;
+}
+
+void forget_temporary() { has_temporary = false; }
 
 const std::atomic<bool>& watch_interrupts() {
   struct sigaction action {};
@@ -24,9 +44,9 @@ const std::atomic<bool>& watch_interrupts() {
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    // One that the caller has switched off (nohup, a background job of a shell) stays off.
+    // nohup switches this one off, and it stays off.
     struct sigaction old {};
-    if (::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;
+    if (signal == SIGHUP && ::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;
     ::sigaction(signal, &action, nullptr);
   }
   return interrupted;

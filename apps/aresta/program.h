@@ -30,7 +30,12 @@ struct Program {
   Output output;
 };
 
+inline constexpr ErrorCode usage_error{800, "usage", Failure::usage};
+
 int exit_status(const Error& error);
+
+/// "1.5", without an exponent's or a fraction's needless digits: for people; 17 significant digits for JSON.
+std::string figure(double value);
 
 /// Every command there is: the language's and the modeller's.
 const document::Registry& all_commands();

@@ -3,9 +3,11 @@
 #include <sys/resource.h>
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "document/info.h"
+#include "model/check.h"
+#include "model_json.h"
 #include "program.h"
 #include "script/interpreter.h"
 
@@ -13,11 +15,7 @@ namespace aresta::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t max_script_bytes = std::size_t{1} << 24;
-
-const ErrorCode bad_definition{800, "usage.definition", Failure::usage};
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -58,9 +56,24 @@ Status define(script::Interpreter& interpreter, const std::string& definition) {
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   bool good = equals != std::string::npos && !name.empty() && letter(name[0]) && !script::is_keyword(name);
   for (const char c : name) good = good && (letter(c) || digit(c));
-  if (!good) return Error{bad_definition, "-D takes name=value, with a name of letters, digits and _, not '" + definition + "'"};
+  if (!good) return Error{usage_error, "-D takes name=value, with a name of letters, digits and _, not '" + definition + "'"};
   interpreter.set(name, script::value_of_definition(definition.substr(equals + 1)));
   return {};
+}
+
+/// Figures of the last model that the script made, null when there is none or they cannot be had.
+Json model_figures(const document::ShapePtr& shape) {
+  const auto x = std::dynamic_pointer_cast<const document::ModelShape>(shape);
+  if (!x) return nullptr;
+  const auto model = document::as_model(*x, {});
+  if (!model) return nullptr;
+  const auto info = document::model_info(*model, {});
+  if (!info) return nullptr;
+  Json json{{"regions", info->regions}, {"shells", info->shells}, {"faces", info->faces}, {"edges", info->edges},
+            {"vertices", info->vertices}, {"volume", info->volume}, {"area", info->area}};
+  const auto findings = check(**model, CheckLevel::full);
+  json["findings"] = findings ? Json(findings->size()) : Json(nullptr);
+  return json;
 }
 
 }  // namespace
@@ -68,7 +81,7 @@ Status define(script::Interpreter& interpreter, const std::string& definition) {
 Result<int> run_script(Program& program, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const bool standard_input = options.file == "-";
-  ARESTA_TRY(const std::string text, standard_input ? read_standard_input() : read_file(options.file, max_script_bytes));
+  ARESTA_TRY(const std::string text, standard_input ? read_standard_input(program.context) : read_file(options.file, max_script_bytes));
 
   Lines printed;
   Json commands = Json::array();
@@ -105,9 +118,8 @@ Result<int> run_script(Program& program, const RunOptions& options) {
     summary["threads"] = program.context.threads;
     summary["commands"] = std::move(commands);
     summary["printed"] = printed.take();
-    summary["model"] = nullptr;
-    // What a script printed may be no UTF-8: replaced, never an exception.
-    const std::string json = summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    summary["model"] = model_figures(last_shape);
+    const std::string json = json_text(summary);
     if (!options.summary_file.empty()) {
       Status written = options.summary_file == "-" ? program.output.write(json) : write_file(options.summary_file, json);
       if (status && !written) status = std::move(written);

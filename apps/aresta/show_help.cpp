@@ -8,8 +8,6 @@ namespace aresta::app {
 
 namespace {
 
-const ErrorCode unknown_command{801, "usage.unknown_command", Failure::usage};
-
 std::string first_sentence(const std::string& text) {
   const std::size_t end = text.find(". ");
   return end == std::string::npos ? text : text.substr(0, end + 1);
@@ -59,7 +57,7 @@ Result<int> show_help(Program& program, const HelpOptions& options) {
   std::vector<std::string> names;
   for (const auto& [name, command] : registry.commands()) names.push_back(name);
   const std::string near = document::nearest_name(options.command, names);
-  return Error{unknown_command, "there is no command '" + options.command + "'" + (near.empty() ? "; 'aresta help' lists all" : "; did you mean '" + near + "'?")};
+  return Error{usage_error, "there is no command '" + options.command + "'" + (near.empty() ? "; 'aresta help' lists all" : "; did you mean '" + near + "'?")};
 }
 
 }  // namespace aresta::app

@@ -2,6 +2,7 @@
 #include "streams.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -59,10 +60,15 @@ Status Output::flush() {
                std::string("cannot write to standard output: ") + (reason == EBADF ? "it is closed" : std::strerror(reason))};
 }
 
-Result<std::string> read_standard_input() {
+Result<std::string> read_standard_input(const Context& context) {
   std::string text;
   char buffer[1 << 16];
   for (;;) {
+    // Waits in short steps, so that it can be interrupted whatever the signal does to read().
+    pollfd waiting{STDIN_FILENO, POLLIN, 0};
+    const int ready = ::poll(&waiting, 1, 100);
+    ARESTA_CHECK(context.step(0, "reading standard input"));
+    if (ready == 0) continue;
     const ssize_t n = ::read(STDIN_FILENO, buffer, sizeof buffer);
     if (n == 0) return text;
     if (n < 0 && errno == EINTR) continue;

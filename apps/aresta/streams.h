@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/result.h"
+#include "base/context.h"
 
 namespace aresta::app {
 
@@ -25,8 +25,8 @@ class Output {
   std::string buffer_;
 };
 
-/// The whole of standard input; error file_unreadable.
-Result<std::string> read_standard_input();
+/// The whole of standard input. Errors: file_unreadable, cancelled.
+Result<std::string> read_standard_input(const Context& context);
 
 /// One line to standard error, that of a running progress display overwritten. Line ends inside become spaces.
 void report(std::string_view line);

@@ -6,6 +6,8 @@
 #include "construct/arguments.h"
 #include "construct/copy.h"
 #include "model/check.h"
+#include "model/extract.h"
+#include "model/query.h"
 
 namespace aresta {
 
@@ -55,31 +57,69 @@ class Sweeper {
     }
     if (k_.vertex_count() == 0) return Error{errors::bad_profile, motion_.name() + ": the profile is empty"};
     for (const FaceId f : k_.faces()) {
-      if (!source_.surface(f).is_plane()) {
-        return Error{errors::bad_profile,
-                     motion_.name() + ": a face of the profile is curved; only plane faces can be swept",
-                     {f}};
-      }
-      const Vec3 normal = source_.normal(f, {0, 0});
-      ARESTA_CHECK(motion_.check_face(source_, f, normal));
-      face_sign_[f.index()] = sign_of_face(f, normal);
+      if (source_.surface(f).is_plane()) ARESTA_CHECK(motion_.check_face(source_, f, source_.normal(f, {0, 0})));
+      ARESTA_TRY(face_sign_[f.index()], sign_of_face(f));
     }
     return {};
   }
 
-  /// Does the face move along its normal (1) or against it (-1)? Asked where it moves fastest.
-  int sign_of_face(FaceId f, Vec3 normal) const {
-    double best = 0;
+  /// Does the face move along its normal (1) or against it (-1)? Asked all over its boundary, and for curved faces
+  /// inside as well: they must keep to one answer.
+  Result<int> sign_of_face(FaceId f) const {
+    const bool is_plane = source_.surface(f).is_plane();
+    double low = 0, high = 0;  // sine of the angle between face and velocity
+    Vec3 place{};
+    Range2 reach{{1, -1}, {1, -1}};
+    const auto widen = [](Range& r, double x) {
+      r = r.low > r.high ? Range{x, x} : Range{std::min(r.low, x), std::max(r.high, x)};
+    };
+    const auto look = [&](Vec2 uv, Vec3 p) {
+      const Vec3 velocity = motion_.velocity(p);
+      if (motion_.is_fixed(p)) return;
+      const double sine = dot(source_.normal(f, uv), velocity) / norm(velocity);
+      if (sine < low || sine > high) place = p;
+      low = std::min(low, sine);
+      high = std::max(high, sine);
+    };
     for (const LoopId l : k_.loops(f)) {
       for (const CoedgeId c : k_.coedges(l)) {
         const Range r = source_.range(k_.edge(c));
-        for (const double part : {0.0, 0.25, 0.5, 0.75}) {
-          const double speed = dot(motion_.velocity(source_.edge_point(k_.edge(c), r.at(part))), normal);
-          if (std::abs(speed) > std::abs(best)) best = speed;
+        for (int i = 0; i <= samples; ++i) {
+          const double t = r.at(static_cast<double>(i) / samples);
+          const Vec2 uv = source_.uv(c, t);
+          look(uv, source_.edge_point(k_.edge(c), t));
+          widen(reach.u, uv.x);
+          widen(reach.v, uv.y);
         }
       }
     }
-    return best > 0 ? 1 : -1;
+    if (!is_plane) {
+      const FaceTrim trim(source_, f);
+      for (int i = 1; i < samples; ++i) {
+        for (int j = 1; j < samples; ++j) {
+          const Vec2 uv{reach.u.at(static_cast<double>(i) / samples), reach.v.at(static_cast<double>(j) / samples)};
+          if (trim.locate(uv, source_.tolerance()) == Position::inside) look(uv, source_.surface(f).point(uv));
+        }
+      }
+    }
+    const double least = is_plane ? 0 : 1e-9;
+    if (high > least && low >= -least) return 1;
+    if (low < -least && high <= least) return -1;
+    return Error{errors::bad_profile,
+                 motion_.name() +
+                     ": a curved face of the profile turns away from the motion: part of it moves forward, "
+                     "part backward",
+                 {f},
+                 std::array{place.x, place.y, place.z},
+                 "split the face along its outline as seen in the direction of motion"};
+  }
+
+  /// A seam joins a curved face to itself: what it sweeps is inside the region.
+  bool is_seam(EdgeId e) const {
+    const CoedgeId c = k_.first_coedge(e);
+    if (!c.valid() || k_.radial(c) == c || k_.radial(k_.radial(c)) != c) return false;
+    const FaceId f = k_.face(c);
+    return k_.face(k_.radial(c)) == f && !is_inner_edge(source_, e, f);
   }
 
   bool is_fixed(VertexId v) const { return motion_.is_fixed(source_.point(v)); }
@@ -116,7 +156,7 @@ class Sweeper {
   }
 
   Status add_side(EdgeId e) {
-    if (is_fixed(e)) return {};
+    if (is_fixed(e) || is_seam(e)) return {};
     ARESTA_TRY(const SweptSurface swept, motion_.surface(source_, e));
     ARESTA_CHECK(check_speed(e));
     FaceDraft face{.surface = builder_.add_surface(swept.surface), .tolerance = source_.tolerance(e), .loops = {}};
@@ -162,7 +202,6 @@ class Sweeper {
 
   /// Along the edge its direction and velocity span a plane that never folds back.
   Status check_speed(EdgeId e) const {
-    constexpr int samples = 32;
     Vec3 last{};
     for (int i = 0; i < samples; ++i) {
       const CurveJet jet = source_.edge_jet(e, source_.range(e).at((i + 0.5) / samples));
@@ -216,9 +255,11 @@ class Sweeper {
     return model;
   }
 
+  static constexpr int samples = 24;  // along each edge, and each way across a curved face
+
   /// One plane face or one straight edge cannot run into itself, once check_face and surface have agreed.
   Status check_overlaps(const Model& model, const Context& context) const {
-    const bool one_face = k_.face_count() == 1 &&
+    const bool one_face = k_.face_count() == 1 && source_.surface(FaceId(0)).is_plane() &&
                           std::none_of(k_.edges().begin(), k_.edges().end(), [&](EdgeId e) { return k_.is_wire(e); });
     const bool one_line = k_.face_count() == 0 && k_.edge_count() == 1 && source_.is_straight(EdgeId(0));
     const bool points_only = k_.edge_count() == 0 && k_.vertex_count() == 1;

@@ -12,6 +12,7 @@ void register_moves(Registry& registry);
 void register_booleans(Registry& registry);
 void register_access(Registry& registry);
 void register_measures(Registry& registry);
+void register_files(Registry& registry);
 
 /// All of them.
 void register_modelling(Registry& registry);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "document/commands.h"
+#include "document/counting.h"
 #include "document/errors.h"
 #include "document/shape.h"
 #include "model/query.h"
@@ -254,6 +255,15 @@ void register_access(Registry& r) {
     r.add(access(k.name, {shape}, "a list of shapes of the same model", k.doc, std::string("len(") + k.name + "(block(1, 1, 1)))",
                  [of = k.kind](Call& c) { return entities(c, of); }));
   }
+  r.add(access("components", {shape}, "a list of shapes", "The connected parts of a shape: what touches is one part.", "len(components(section(x, (0, 0, 1), (0, 0, 1))))",
+               [](Call& c) -> Result<Value> {
+                 ARESTA_TRY(const ModelShapePtr x, x_of(c));
+                 std::vector<Value> list;
+                 for (const Part& part : x->parts()) {
+                   for (auto& entities_of_one : components(part)) list.emplace_back(shape_of(part.model, std::move(entities_of_one)));
+                 }
+                 return Value::list(std::move(list));
+               }));
   const Parameter name{.name = "name", .type = Type::string};
   r.add(access("part", {shape, name}, "a shape", "What in a shape has a name, or is in the group of that name.", "part(plate, \"top\")", named_part));
   r.add(access("nearest", {shape, {.name = "point", .type = Type::point, .unit = "length"}, kind}, "a shape of one entity",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Booleans between groups, fragment, region detection, clean-up, cuts and sections.
 #include <algorithm>
+#include <set>
 
 #include "boolean/boolean.h"
 #include "boolean/errors.h"
@@ -13,6 +14,7 @@
 #include "document/errors.h"
 #include "document/operands.h"
 #include "model/inherit.h"
+#include "model/query.h"
 
 namespace aresta::document {
 
@@ -68,6 +70,17 @@ Result<Value> many_operands(Call& call, BooleanKind kind) {
   return run_boolean(call, kind, shapes);
 }
 
+/// Do parts of one model have no vertex in common?
+bool share_nothing(const std::vector<Part>& parts) {
+  std::set<std::pair<const Model*, EntityRef>> seen;
+  for (const Part& part : parts) {
+    for (const EntityRef v : closure(part, EntityKind::vertex)) {
+      if (!seen.emplace(part.model.get(), v).second) return false;
+    }
+  }
+  return true;
+}
+
 /// The shapes as models that hold nothing but what is listed, each once; empty ones left out.
 Result<std::vector<std::shared_ptr<const Model>>> models_of(Call& call, const std::vector<ShapePtr>& shapes, const std::string& parameter) {
   // Entities of one model stay together, so that what they share stays shared.
@@ -76,9 +89,11 @@ Result<std::vector<std::shared_ptr<const Model>>> models_of(Call& call, const st
     ARESTA_TRY(const ModelShapePtr x, model_shape(call, s, parameter));
     parts.insert(parts.end(), x->parts().begin(), x->parts().end());
   }
-  const ModelShape all(std::move(parts));
+  const ModelShape all(parts);
   std::vector<std::shared_ptr<const Model>> models;
-  for (const Part& part : all.parts()) {
+  // Shapes that are components of one model (which may not know that they touch, as in a file) are apart from the start.
+  const bool apart = all.parts().size() < parts.size() && share_nothing(parts);
+  for (const Part& part : apart ? parts : all.parts()) {
     ARESTA_TRY(std::shared_ptr<Model> model, as_model(ModelShape({part}), call.context()));
     if (model->topology().vertex_count() > 0) models.push_back(std::move(model));
   }
@@ -146,51 +161,86 @@ Result<Value> simplify_shape(Call& call) {
   return made(std::move(cleaned.model));
 }
 
-/// A plane, and a square on it that reaches beyond the shape everywhere.
-struct Cut {
+/// A plane, and a square face on it that reaches beyond the shape everywhere.
+struct CuttingPlane {
   Vec3 point, normal;
-  Box3 box;
+  std::shared_ptr<const Model> square;
 };
 
-Result<Cut> cut_of(Call& call) {
-  ARESTA_TRY(const ModelShapePtr x, model_shape(call, call.shape("x"), "x"));
-  Cut cut{call.point("point"), normalized(call.point("normal")), {}};
-  for (const Part& part : x->parts()) cut.box.add(part.model->bounds());
-  return cut;
+Result<CuttingPlane> cutting_plane(Call& call, const Model& model) {
+  CuttingPlane plane{call.point("point"), normalized(call.point("normal")), nullptr};
+  Box3 box = model.bounds();
+  // Centred near the shape, however far away `point` is.
+  const Vec3 middle = box.empty() ? plane.point : box.centre();
+  const Frame frame = Frame::along(middle - dot(middle - plane.point, plane.normal) * plane.normal, plane.normal);
+  const double reach = box.diagonal() + 1;
+  const std::array<Vec3, 4> corners = {frame.to_world({-reach, -reach, 0}), frame.to_world({reach, -reach, 0}), frame.to_world({reach, reach, 0}), frame.to_world({-reach, reach, 0})};
+  ARESTA_TRY(Model square, polygon(corners, {}, construct_options(call)));
+  plane.square = std::make_shared<const Model>(std::move(square));
+  return plane;
 }
 
-Result<ShapePtr> half(Call& call, const Cut& cut, bool above) {
-  const HalfSpaceShape below_plane(cut.point, above ? -1.0 * cut.normal : cut.normal);
-  const std::vector<ShapePtr> shapes = {call.shape("x"), std::make_shared<const HalfSpaceShape>(below_plane)};
-  ARESTA_TRY(Operands operands, gather_operands(call, shapes));
-  BooleanOptions options;
-  options.kind = BooleanKind::intersect;
-  options.fragment.tolerance = call.session().tolerance;
-  auto result = boolean(operands.models, operands.groups, options, call.context());
-  if (!result) return std::move(result).error();
-  return whole_shape(std::move(result->model));
+/// A point of an entity that shows on which side of a plane it lies, when the plane does not cross it.
+Result<Vec3> point_of(const Model& model, EntityRef e) {
+  switch (e.kind) {
+    case EntityKind::vertex: return model.point(VertexId(e.index));
+    case EntityKind::edge: {
+      const Range range = model.range(EdgeId(e.index));
+      return model.edge_point(EdgeId(e.index), 0.5 * (range.low + range.high));
+    }
+    case EntityKind::face: {
+      ARESTA_TRY(const Vec2 uv, FaceTrim(model, FaceId(e.index)).interior_point());
+      return model.surface(FaceId(e.index)).point(uv);
+    }
+    case EntityKind::region: return interior_point(model, RegionId(e.index));
+  }
+  return Vec3{};
 }
 
+/// Imprints the plane on the shape and shares its pieces out; what lies in the plane goes to both sides. Every region
+/// is cut by itself: walls between regions stay.
 Result<Value> cut_shape(Call& call) {
-  ARESTA_TRY(const Cut cut, cut_of(call));
-  ARESTA_TRY(ShapePtr above, half(call, cut, true));
-  ARESTA_TRY(ShapePtr below, half(call, cut, false));
-  return Value::tuple({Value(std::move(above)), Value(std::move(below))});
+  ARESTA_TRY(const ModelShapePtr x, model_shape(call, call.shape("x"), "x"));
+  ARESTA_TRY(const std::shared_ptr<Model> model, as_model(*x, call.context()));
+  if (model->topology().vertex_count() == 0) return Value::tuple({Value(whole_shape(model)), Value(whole_shape(model))});
+  ARESTA_TRY(const CuttingPlane plane, cutting_plane(call, *model));
+  FragmentOptions options;
+  options.tolerance = call.session().tolerance;
+  options.detect_regions = false;
+  ARESTA_TRY(const Fragment pieces, fragment({model, plane.square}, options, call.context()));
+  const auto all = std::make_shared<Model>(*pieces.model);
+  inherit_labels(*all);
+  std::array<std::vector<EntityRef>, 2> sides;
+  for (const EntityRef e : all->listed()) {
+    if (e.kind != EntityKind::region) {
+      const auto parents = pieces.parents(e);
+      const bool of_shape = std::any_of(parents.begin(), parents.end(), [&](const Parent& p) { return p.source == 0 && p.entity.kind == e.kind; });
+      if (!of_shape) continue;
+    }
+    ARESTA_TRY(const Vec3 p, point_of(*all, e));
+    const double height = dot(p - plane.point, plane.normal);
+    if (height >= -all->tolerance()) sides[0].push_back(e);
+    if (height <= all->tolerance()) sides[1].push_back(e);
+  }
+  std::vector<Value> halves;
+  for (auto& side : sides) {
+    ARESTA_TRY(std::shared_ptr<Model> half, as_model(ModelShape({{all, std::move(side)}}), call.context()));
+    ARESTA_CHECK(require_valid(*half, CheckLevel::fast, call.context()));
+    halves.emplace_back(whole_shape(std::move(half)));
+  }
+  return Value::tuple(std::move(halves));
 }
 
 Result<Value> section_shape(Call& call) {
-  ARESTA_TRY(const Cut cut, cut_of(call));
-  const Frame frame = Frame::along(cut.point, cut.normal);
-  Box3 box = cut.box;
-  box.add(cut.point);
-  const double reach = 2 * box.diagonal() + 1;
-  const std::array<Vec3, 4> corners = {frame.to_world({-reach, -reach, 0}), frame.to_world({reach, -reach, 0}), frame.to_world({reach, reach, 0}), frame.to_world({-reach, reach, 0})};
-  ARESTA_TRY(Model plane, polygon(corners, {}, construct_options(call)));
-  ARESTA_TRY(Operands operands, gather_operands(call, {call.shape("x"), whole_shape(std::move(plane))}));
+  ARESTA_TRY(const ModelShapePtr x, model_shape(call, call.shape("x"), "x"));
+  ARESTA_TRY(const std::shared_ptr<Model> model, as_model(*x, call.context()));
+  if (model->topology().vertex_count() == 0) return Value(whole_shape(model));
+  ARESTA_TRY(const CuttingPlane plane, cutting_plane(call, *model));
   BooleanOptions options;
   options.kind = BooleanKind::intersect;
   options.fragment.tolerance = call.session().tolerance;
-  auto result = boolean(operands.models, operands.groups, options, call.context());
+  const std::vector<GroupSpec> groups = {whole_operand("shape", 0, *model), whole_operand("plane", 1, *plane.square)};
+  auto result = boolean({model, plane.square}, groups, options, call.context());
   if (!result) return std::move(result).error();
   return made(std::move(result->model));
 }

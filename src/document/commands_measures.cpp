@@ -6,6 +6,7 @@
 #include "document/commands.h"
 #include "document/counting.h"
 #include "document/errors.h"
+#include "document/mesh_shape.h"
 #include "document/shape.h"
 #include "model/check.h"
 #include "model/measure.h"
@@ -46,6 +47,9 @@ Result<Moments> total(Call& call, const ModelShape& x, EntityKind kind) {
 }
 
 Result<Value> measured(Call& call, EntityKind kind) {
+  if (const auto* m = dynamic_cast<const MeshShape*>(call.shape("x").get()); m != nullptr && kind == EntityKind::region) {
+    return Value(linear_volume(m->mesh()));
+  }
   ARESTA_TRY(const ModelShapePtr x, x_of(call));
   ARESTA_TRY(const Moments sum, total(call, *x, kind));
   return Value(sum.measure);
@@ -83,8 +87,12 @@ Result<Value> bounds_of(Call& call) {
 }
 
 Result<Value> count_of(Call& call) {
-  ARESTA_TRY(const ModelShapePtr x, x_of(call));
   const std::string& what = call.string("what");
+  const bool of_meshes = what == "nodes" || what == "elements";
+  const auto* m = dynamic_cast<const MeshShape*>(call.shape("x").get());
+  if (of_meshes && m == nullptr) return Error{errors::command_type, "count: " + what + " are counted in meshes, not in <" + call.shape("x")->describe() + ">"};
+  if (of_meshes) return Value(static_cast<std::int64_t>(what == "nodes" ? m->mesh().nodes.size() : m->element_count()));
+  ARESTA_TRY(const ModelShapePtr x, x_of(call));
   std::size_t n = 0;
   for (const Part& part : x->parts()) {
     if (what == "components") {
@@ -169,8 +177,8 @@ void register_measures(Registry& r) {
                  }));
   r.add(question("inertia", {shape}, "a 3 x 3 matrix, as three rows", "The inertia tensor about the centroid, for unit density.", "inertia(block(1, 2, 3))", inertia_of));
   r.add(question("bounds", {shape}, "two points, the lowest and the highest coordinates", "The box around a shape, along the axes.", "low, high = bounds(sphere(1))", bounds_of));
-  r.add(question("count", {shape, {.name = "what", .type = Type::string, .default_value = "regions", .choices = {"regions", "shells", "faces", "edges", "vertices", "components"}}},
-                 "a whole number", "Counts the finite regions of a shape, the shells of its finite regions, its faces, edges, vertices or connected components.",
+  r.add(question("count", {shape, {.name = "what", .type = Type::string, .default_value = "regions", .choices = {"regions", "shells", "faces", "edges", "vertices", "components", "nodes", "elements"}}},
+                 "a whole number", "Counts the finite regions of a shape, the shells of its finite regions, its faces, edges, vertices or connected components; or the nodes or elements of a mesh.",
                  "count(block(1, 1, 1), \"edges\")", count_of));
   r.add(question("genus", {shape}, "a whole number", "The number of handles (through holes), summed over a shape's closed shells.", "genus(torus(3, 1))", genus_of));
   r.add(question("check", {shape}, "the number of findings, 0 when all is well", "Runs the full checker on a shape's model.", "expect(check(block(1, 1, 1)), 0)", check_shape));
@@ -185,6 +193,7 @@ void register_modelling(Registry& registry) {
   register_booleans(registry);
   register_access(registry);
   register_measures(registry);
+  register_files(registry);
 }
 
 }  // namespace aresta::document

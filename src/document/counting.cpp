@@ -87,41 +87,74 @@ class BoundarySurface {
 
 }  // namespace
 
-std::size_t component_count(const Part& part) {
-  const Complex& k = part.model->topology();
-  const auto members = closure(part);
-  const std::size_t edges = k.vertex_count(), faces = edges + k.edge_count(), regions = faces + k.face_count();
-  UnionFind sets(regions + k.region_count());
-  const auto index = [&](EntityRef e) {
-    constexpr int first = 0;
-    const std::size_t offsets[] = {first, edges, faces, regions};
-    return offsets[static_cast<std::size_t>(e.kind)] + e.index;
-  };
-  for (const EntityRef e : members[1]) {
-    sets.unite(index(e), index(k.start(EdgeId(e.index))));
-    sets.unite(index(e), index(k.end(EdgeId(e.index))));
-  }
-  for (const EntityRef f : members[2]) {
-    for (const LoopId l : k.loops(FaceId(f.index))) {
-      if (k.is_vertex_loop(l)) {
-        sets.unite(index(f), index(k.loop_vertex(l)));
-      } else {
-        for (const CoedgeId c : k.coedges(l)) sets.unite(index(f), index(k.edge(c)));
+namespace {
+
+/// Sets over all entities of a model, united along the boundaries of what a part holds.
+class Connections {
+ public:
+  explicit Connections(const Part& part) : members_(closure(part)), k_(part.model->topology()), sets_(size(k_)) {
+    for (const EntityRef e : members_[1]) {
+      unite(e, k_.start(EdgeId(e.index)));
+      unite(e, k_.end(EdgeId(e.index)));
+    }
+    for (const EntityRef f : members_[2]) {
+      for (const LoopId l : k_.loops(FaceId(f.index))) {
+        if (k_.is_vertex_loop(l)) {
+          unite(f, k_.loop_vertex(l));
+        } else {
+          for (const CoedgeId c : k_.coedges(l)) unite(f, k_.edge(c));
+        }
+      }
+    }
+    for (const EntityRef r : members_[3]) {
+      for (const ShellId s : k_.shells(RegionId(r.index))) {
+        for (const FaceUse u : k_.face_uses(s)) unite(r, u.face());
+        for (const EdgeId e : k_.wires(s)) unite(r, e);
+        if (k_.shell_vertex(s).valid()) unite(r, k_.shell_vertex(s));
       }
     }
   }
-  for (const EntityRef r : members[3]) {
-    for (const ShellId s : k.shells(RegionId(r.index))) {
-      for (const FaceUse u : k.face_uses(s)) sets.unite(index(r), index(u.face()));
-      for (const EdgeId e : k.wires(s)) sets.unite(index(r), index(e));
-      if (k.shell_vertex(s).valid()) sets.unite(index(r), index(k.shell_vertex(s)));
-    }
+
+  const std::array<std::vector<EntityRef>, 4>& members() const { return members_; }
+  std::uint32_t set_of(EntityRef e) { return sets_.find(index(e)); }
+
+ private:
+  static std::size_t size(const Complex& k) { return k.vertex_count() + k.edge_count() + k.face_count() + k.region_count(); }
+  std::size_t index(EntityRef e) const {
+    std::size_t i = e.index;
+    if (e.kind > EntityKind::vertex) i += k_.vertex_count();
+    if (e.kind > EntityKind::edge) i += k_.edge_count();
+    if (e.kind > EntityKind::face) i += k_.face_count();
+    return i;
   }
+  void unite(EntityRef a, EntityRef b) { sets_.unite(index(a), index(b)); }
+
+  std::array<std::vector<EntityRef>, 4> members_;
+  const Complex& k_;
+  UnionFind sets_;
+};
+
+}  // namespace
+
+std::size_t component_count(const Part& part) {
+  Connections connections(part);
   std::set<std::uint32_t> roots;
-  for (const auto& of_kind : members) {
-    for (const EntityRef e : of_kind) roots.insert(sets.find(index(e)));
+  for (const auto& of_kind : connections.members()) {
+    for (const EntityRef e : of_kind) roots.insert(connections.set_of(e));
   }
   return roots.size();
+}
+
+std::vector<std::vector<EntityRef>> components(const Part& part) {
+  Connections connections(part);
+  std::map<std::uint32_t, std::size_t> number;
+  std::vector<std::vector<EntityRef>> out;
+  for (const EntityRef e : part.entities) {
+    const auto [found, is_new] = number.emplace(connections.set_of(e), out.size());
+    if (is_new) out.emplace_back();
+    out[found->second].push_back(e);
+  }
+  return out;
 }
 
 std::size_t shell_count(const Part& part) {

@@ -10,6 +10,8 @@ namespace aresta::document {
 
 /// Sets of entities connected by their boundaries.
 std::size_t component_count(const Part& part);
+/// The listed entities by component, in the order of each one's first.
+std::vector<std::vector<EntityRef>> components(const Part& part);
 
 /// Shells of the part's finite regions.
 std::size_t shell_count(const Part& part);

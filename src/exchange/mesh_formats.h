@@ -25,9 +25,10 @@ struct InpOptions {
 };
 
 /// The file's contents. A named set becomes a physical group (MSH), a cell array "group NAME" of zeros and ones (VTU),
-/// an element set, node set and surface (INP). In MSH files every region that has no name gets a group "region_i",
-/// because readers drop elements without group. MSH 2.2 repeats an element for each of its groups, as the format wants.
-/// Error: exchange.bad_mesh (a node out of range; INP: no elements to write).
+/// an element set, node set and surface (INP). In MSH files every entity of
+/// no set gets a group of its own ("face_3"), because readers drop elements without group. MSH 2.2 repeats an element
+/// for each of its groups, as the format wants. Error: exchange.bad_mesh (a node out of range; INP: no elements to
+/// write).
 Result<std::string> to_msh(const Mesh& mesh, MshVersion version);
 Result<std::string> to_vtu(const Mesh& mesh, const VtuOptions& options = {});
 Result<std::string> to_inp(const Mesh& mesh, const InpOptions& options = {});
@@ -41,7 +42,7 @@ Status write_inp(const Mesh& mesh, const std::string& path, const InpOptions& op
 Status write_mesh(const Mesh& mesh, const std::string& path);
 
 /// A mesh from MSH 2.2 or 4.1 text: nodes in the file's order, blocks by entity, sets from physical groups. Regions
-/// made up by the writer ("region_i") are not sets. Error: exchange.bad_mesh_file with the line.
+/// made up by the writer ("face_3") are not sets. Error: exchange.bad_mesh_file with the line.
 Result<Mesh> from_msh(const std::string& text);
 Result<Mesh> read_msh(const std::string& path);
 

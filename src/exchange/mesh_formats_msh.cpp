@@ -29,8 +29,7 @@ class MshWriter {
     }
     int next = static_cast<int>(mesh.sets.size());
     for (const auto& block : mesh.blocks) {
-      if (block.entity.kind != EntityKind::region || groups_.contains(block.entity)) continue;
-      add_group(made_up_region_name(block.entity.index), ++next, block.entity);
+      if (!groups_.contains(block.entity)) add_group(made_up_name(block.entity), ++next, block.entity);
     }
   }
 
@@ -271,8 +270,8 @@ int msh_type(ElementType type) {
   return types[static_cast<int>(type)];
 }
 
-std::string made_up_region_name(std::uint32_t index) {
-  return "region_" + std::to_string(index);
+std::string made_up_name(EntityRef entity) {
+  return std::string(to_string(entity.kind)) + "_" + std::to_string(entity.index);
 }
 
 }  // namespace mesh_formats

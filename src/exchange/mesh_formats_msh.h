@@ -11,7 +11,7 @@ namespace aresta::mesh_formats {
 /// Gmsh's number of an element type.
 int msh_type(ElementType type);
 
-/// The group of a region without a name.
-std::string made_up_region_name(std::uint32_t index);
+/// The group of an entity that is in no named set: "face_3".
+std::string made_up_name(EntityRef entity);
 
 }  // namespace aresta::mesh_formats

@@ -270,9 +270,7 @@ class MshReader {
     for (const auto& [key, entities] : members_) {
       const auto named = names_.find(key);
       const std::string name = named != names_.end() ? named->second : "group_" + std::to_string(key.first);
-      if (entities.size() == 1 && entities.begin()->kind == EntityKind::region &&
-          name == made_up_region_name(entities.begin()->index))
-        continue;
+      if (entities.size() == 1 && name == made_up_name(*entities.begin())) continue;
       auto set = std::find_if(mesh.sets.begin(), mesh.sets.end(), [&](const MeshSet& s) { return s.name == name; });
       if (set == mesh.sets.end()) set = mesh.sets.insert(set, MeshSet{name, {}});
       set->entities.insert(set->entities.end(), entities.begin(), entities.end());

@@ -124,7 +124,7 @@ class CrossingFinder {
     std::iota(order_.begin(), order_.end(), 0u);
   }
 
-  std::vector<Vec3> run() {
+  std::vector<Crossing> run() {
     if (triangles_.size() > 1) {
       build(0, static_cast<std::uint32_t>(triangles_.size()));
       meet(0, 0);
@@ -179,7 +179,7 @@ class CrossingFinder {
   void test(std::uint32_t i, std::uint32_t j) {
     if (!boxes_[i].overlaps(boxes_[j])) return;
     const auto place = triangles_meet(points_, triangles_[i], triangles_[j], tolerance_);
-    if (place) found_.push_back(*place);
+    if (place) found_.push_back({*place, i, j});
   }
 
   const std::vector<Vec3>& points_;
@@ -188,7 +188,7 @@ class CrossingFinder {
   std::vector<Box3> boxes_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> tree_;
-  std::vector<Vec3> found_;
+  std::vector<Crossing> found_;
   double tolerance_ = 0;
 };
 
@@ -199,8 +199,8 @@ std::optional<Vec3> triangles_meet(const std::vector<Vec3>& points, const Corner
   return PairTest(points, tolerance).run(s, t);
 }
 
-std::vector<Vec3> find_crossings(const std::vector<Vec3>& points, const std::vector<Corners>& triangles,
-                                 std::size_t most) {
+std::vector<Crossing> find_crossings(const std::vector<Vec3>& points, const std::vector<Corners>& triangles,
+                                     std::size_t most) {
   return CrossingFinder(points, triangles, most).run();
 }
 

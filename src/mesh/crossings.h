@@ -16,8 +16,13 @@ namespace aresta::mesh {
 std::optional<Vec3> triangles_meet(const std::vector<Vec3>& points, const std::array<std::uint32_t, 3>& s,
                                    const std::array<std::uint32_t, 3>& t, double tolerance);
 
-/// One point of each such meeting among all triangles, at most `most`. Cost n log n for meshes of bounded overlap.
-std::vector<Vec3> find_crossings(const std::vector<Vec3>& points,
-                                 const std::vector<std::array<std::uint32_t, 3>>& triangles, std::size_t most);
+struct Crossing {
+  Vec3 place;
+  std::uint32_t first = 0, second = 0;  ///< the two triangles
+};
+
+/// Such meetings among all triangles, at most `most`. Cost n log n for meshes of bounded overlap.
+std::vector<Crossing> find_crossings(const std::vector<Vec3>& points,
+                                     const std::vector<std::array<std::uint32_t, 3>>& triangles, std::size_t most);
 
 }  // namespace aresta::mesh

@@ -71,7 +71,7 @@ class Embedder {
                      (entity.kind == EntityKind::edge ? "wire" : "point") + " inside the region",
                  {entity},
                  {{p.x, p.y, p.z}},
-                 "a smaller element size there"};
+                 "a smaller element size there, or fragment the model first if it lies on a face"};
   }
 
   void add_obstacle(const Corners& t) {

@@ -66,16 +66,12 @@ class Mesher {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     for (const auto& face : linear_.faces)
       triangles.insert(triangles.end(), face.triangles.begin(), face.triangles.end());
-    const std::vector<Vec3> crossings = find_crossings(linear_.nodes, triangles, 200);
-    if (!crossings.empty() && last) {
-      const Vec3 p = crossings.front();
-      return Error{errors::mesh_surfaces_cross,
-                   "the meshes of faces that come close to each other intersect",
-                   {},
-                   {{p.x, p.y, p.z}},
-                   "a smaller element size there"};
+    const std::vector<Crossing> crossings = find_crossings(linear_.nodes, triangles, 200);
+    for (const Crossing& crossing : crossings) {
+      const FaceId first = face_of(crossing.first), second = face_of(crossing.second);
+      if (last || lie_on_each_other(first, second)) return crossing_error(first, second, crossing.place);
     }
-    for (const Vec3& p : crossings) wished.restrict(p, 0.5 * field.at(p));
+    for (const Crossing& crossing : crossings) wished.restrict(crossing.place, 0.5 * field.at(crossing.place));
     if (!crossings.empty()) return false;
     if (options_.dimension == 2) return true;
     auto helpers = embed_all(std::move(triangles), field);
@@ -88,6 +84,29 @@ class Mesher {
     const Vec3 p{place[0], place[1], place[2]};
     wished.restrict(p, 0.5 * field.at(p));
     return false;
+  }
+
+  /// No size helps where two faces have pieces of one surface in common.
+  bool lie_on_each_other(FaceId a, FaceId b) const {
+    if (a == b) return false;
+    return coincident(model_.surface(a), parameter_box(model_, a), model_.surface(b),
+                      1e-6 * model_.bounds().diagonal());
+  }
+
+  static Error crossing_error(FaceId a, FaceId b, Vec3 p) {
+    Error error{errors::mesh_surfaces_cross, "the mesh of the face crosses itself", {a}, {{p.x, p.y, p.z}}};
+    error.hint = "a smaller element size there, or fragment the model first if its parts touch or overlap";
+    if (a == b) return error;
+    error.message = "the meshes of two faces that touch, cross or come too close to each other intersect";
+    error.entities = {std::min(a, b), std::max(a, b)};
+    return error;
+  }
+
+  /// The face of a triangle counted through all faces.
+  FaceId face_of(std::size_t triangle) const {
+    std::size_t f = 0;
+    while (triangle >= linear_.faces[f].triangles.size()) triangle -= linear_.faces[f++].triangles.size();
+    return FaceId(f);
   }
 
   /// Cancels as the caller's context does but keeps the progress of faces to the loop over them.

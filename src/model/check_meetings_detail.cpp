@@ -415,11 +415,19 @@ class MeetingCheck {
       }
       for (const LoopId l : k_.loops(a)) {
         for (const CoedgeId c : k_.coedges(l)) {
+          if (is_edge_of(k_.edge(c), b)) continue;
           const Vec3 p = model_.edge_point(k_.edge(c), model_.range(k_.edge(c)).at(0.47));
           if (in_b(p)) return intersecting(f, g, p, tol, " overlap");
         }
       }
     }
+  }
+
+  bool is_edge_of(EdgeId e, FaceId f) const {
+    for (const CoedgeId c : k_.coedges(e)) {
+      if (k_.face(c) == f) return true;
+    }
+    return false;
   }
 
   struct GridPoint {

@@ -112,22 +112,27 @@ struct FaceTrim::Data {
     }
   }
 
+  /// Twice the largest deviation of the image from the chord at three places, or `least` where that is more. `middle`
+  /// gets the image's point half way.
+  Vec2 deviation(const ImagePiece& piece, const Segment& s, Vec2 least, Vec2& middle) const {
+    Vec2 error{};
+    for (const double w : {0.25, 0.5, 0.75}) {
+      const Vec2 q = image.uv(piece, s.ta + w * (s.tb - s.ta));
+      if (w == 0.5) middle = q;
+      const Vec2 d = q - (s.a + w * (s.b - s.a));
+      error = {std::max(error.x, 2 * std::abs(d.x)), std::max(error.y, 2 * std::abs(d.y))};
+    }
+    return {std::max(error.x, least.x), std::max(error.y, least.y)};
+  }
+
   void add_arc(const ImagePiece& piece, Segment s, int depth) {
     const double h = s.tb - s.ta;
-    const Vec2 q[3] = {image.uv(piece, s.ta + 0.25 * h), image.uv(piece, s.ta + 0.5 * h),
-                       image.uv(piece, s.ta + 0.75 * h)};
-    s.error = {};
-    for (int i = 0; i < 3; ++i) {
-      const double w = 0.25 * (i + 1);
-      const Vec2 d = q[i] - (s.a + w * (s.b - s.a));
-      s.error.x = std::max(s.error.x, std::abs(d.x));
-      s.error.y = std::max(s.error.y, std::abs(d.y));
-    }
-    s.error = 2 * s.error;
+    Vec2 middle;
+    s.error = deviation(piece, s, {}, middle);
     const double relative = (scale.x * s.error.x + scale.y * s.error.y) / size;
     if (relative > 4e-3 && depth < 10) {
-      add_arc(piece, {s.a, q[1], {}, s.ta, s.ta + 0.5 * h, s.piece}, depth + 1);
-      add_arc(piece, {q[1], s.b, {}, s.ta + 0.5 * h, s.tb, s.piece}, depth + 1);
+      add_arc(piece, {s.a, middle, {}, s.ta, s.ta + 0.5 * h, s.piece}, depth + 1);
+      add_arc(piece, {middle, s.b, {}, s.ta + 0.5 * h, s.tb, s.piece}, depth + 1);
       return;
     }
     segments.push_back(s);
@@ -204,11 +209,15 @@ struct FaceTrim::Data {
     if (s.piece != no_piece && may_be_near(metric, p, s, near_by + error) &&
         distance(metric, p, s.a, s.b) <= near_by + error) {
       if (error <= floor || depth > 40) return false;
+      // Images that are splines may swing more in a part than a quarter of what they do in the whole.
+      const ImagePiece& piece = image.pieces[s.piece];
       const double t = 0.5 * (s.ta + s.tb);
-      const Vec2 m = image.uv(image.pieces[s.piece], t);
-      const Vec2 half = 0.25 * s.error;
-      return count({s.a, m, half, s.ta, t, s.piece}, metric, p, near_by, sum, depth + 1) &&
-             count({m, s.b, half, t, s.tb, s.piece}, metric, p, near_by, sum, depth + 1);
+      const Vec2 m = image.uv(piece, t), quarter = 0.25 * s.error;
+      Segment first{s.a, m, {}, s.ta, t, s.piece}, second{m, s.b, {}, t, s.tb, s.piece};
+      Vec2 unused;
+      first.error = deviation(piece, first, quarter, unused);
+      second.error = deviation(piece, second, quarter, unused);
+      return count(first, metric, p, near_by, sum, depth + 1) && count(second, metric, p, near_by, sum, depth + 1);
     }
     sum += crossings(s.a, s.b, p);
     return true;

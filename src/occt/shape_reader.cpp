@@ -141,7 +141,7 @@ class Reader {
           if (plane == nullptr) plane_only_[e] = false;
           double low = 0, high = 0;
           const Handle(Geom_Curve) curve = BRep_Tool::Curve(TopoDS::Edge(maps_.edges(use.edge)), low, high);
-          const int samples = plane != nullptr && from_occt(curve).is_line() ? 1 : 22;
+          const int samples = plane != nullptr && from_occt(curve).is_line() ? 1 : 46;
           for (int s = 0; s <= samples; ++s) {
             const double t = low + (high - low) * s / samples;
             const Vec3 p = to_vec(curve->Value(t));
@@ -171,7 +171,7 @@ class Reader {
   /// What a measured deviation means as a tolerance; samples may have missed the largest one.
   double tolerance(double measured, double stated) const {
     if (measured <= negligible_) return 0;
-    return std::max(measured, std::min(1.5 * measured, stated));
+    return std::max(1.25 * measured, std::min(1.5 * measured, stated));
   }
 
   Status add_vertices() {

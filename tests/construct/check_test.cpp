@@ -97,6 +97,32 @@ TEST(Checked, SweepsThatRunIntoThemselvesAreRefused) {
   EXPECT_FALSE(extrude(stack, {0, 0, 2}).ok());
 }
 
+TEST(Checked, CurvedFacesSweepWhereTheyFaceTheMotion) {
+  constexpr double pi = std::numbers::pi;
+  // A cone's side along its axis: the volume of the cylinder over its base.
+  const auto side = shared(extract_entities(shared(cone(2, 0, 1)), std::vector<EntityRef>{FaceId(1)}));
+  for (const Vec3 vector : {Vec3{0, 0, 3}, {0.1, 0.2, -3}}) {
+    const auto hat = extrude(side, vector);
+    ASSERT_BUILT(hat);
+    EXPECT_NEAR(total_volume(*hat).value(), 4 * pi * 3, 1e-7);
+    EXPECT_EQ(counts(*hat).faces, 3u);
+    EXPECT_TRUE(looks_outward(*hat));
+    expect_clean(hat, "hat");
+  }
+  // A quarter of a cylinder's side along its radius: 2 by 5 seen that way, for a quarter turned to the vector.
+  const auto quarter =
+      shared(extract_entities(shared(cylinder(1, 5, {}, {4, -45})), std::vector<EntityRef>{FaceId(1)}));
+  const auto tile = extrude(quarter, {3, 0, 0});
+  ASSERT_BUILT(tile);
+  EXPECT_NEAR(total_volume(*tile).value(), std::sqrt(2) * 5 * 3, 1e-8);
+  EXPECT_EQ(counts(*tile), (Counts{8, 12, 6, 1}));
+  expect_clean(tile, "tile");
+  const auto half = shared(extract_entities(shared(cylinder(1, 5, {}, {2, 0})), std::vector<EntityRef>{FaceId(1)}));
+  expect_error(extrude(half, {3, 0, 1}), errors::bad_profile, "turns away from the motion");
+  const auto ball = shared(extract_entities(shared(sphere(1)), std::vector<EntityRef>{FaceId(0)}));
+  expect_error(extrude(ball, {0, 0, 1}), errors::bad_profile, "turns away from the motion");
+}
+
 TEST(Checked, PolyhedraWhoseFacesCrossAreRefused) {
   Points points;
   std::vector<PolyhedronFace> faces;

@@ -91,7 +91,7 @@ TEST(MshFormat, NodeOrderIsGmshs) {
   mesh.blocks.push_back({ElementType::tetra10, RegionId(1), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}});
   const auto text = to_msh(mesh, MshVersion::v22);
   EXPECT_NE(text->find("\n1 11 2 1 2 1 2 3 4 5 6 7 8 10 9\n"), std::string::npos);
-  EXPECT_NE(text->find("3 1 \"region_1\""), std::string::npos);
+  EXPECT_NE(text->find("3 1 \"region_1\"\n"), std::string::npos);
 }
 
 TEST(MshFormat, EntitiesKnowTheirBoundary) {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Models from files and into them, with "-" for standard input and output, by commands of the registry.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "document/shape.h"
+#include "program.h"
+
+namespace aresta::app {
+
+/// Calls commands of the registry one by one.
+class Commands {
+ public:
+  explicit Commands(Program& program);
+
+  Result<document::Value> call(const std::string& name, std::vector<document::Value> positional,
+                               std::vector<std::pair<std::string, document::Value>> keywords = {});
+
+  /// The shape in a file. `format` is needed for standard input.
+  Result<document::Value> import(const std::string& file, const std::string& format, bool check = true);
+
+  /// Calls `command` (export or render) for a file. Standard output gets the bytes once they are all there.
+  Status write(const std::string& command, const document::Value& shape, const std::string& file, const std::string& format,
+               std::vector<std::pair<std::string, document::Value>> keywords = {});
+
+  /// The single model behind a shape.
+  static std::shared_ptr<Model> model_of(const document::Value& shape);
+
+ private:
+  Program& program_;
+  document::Session session_;
+};
+
+/// A file of its own in the folder for temporary files, gone when this is: also when a second Ctrl-C ends the program.
+class TemporaryFile {
+ public:
+  /// Error: file_unwritable.
+  static Result<TemporaryFile> make(const std::string& extension);
+  ~TemporaryFile();
+  TemporaryFile(TemporaryFile&& other) noexcept;
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  TemporaryFile() = default;
+  std::string folder_, path_;
+};
+
+}  // namespace aresta::app
