@@ -11,7 +11,7 @@ step=${1:-$source/examples/demo/flange.step}
 aresta=$BUILD/apps/aresta/aresta
 
 mkdir -p "$OUT"
-results="regions.step drilled.step regions.inp regions.vtu regions.png drilled.png regions.svg regions.html"
+results="regions.step drilled.step regions.inp regions.vtu regions.png exploded.png drilled.png regions.svg regions.html"
 for file in $results; do rm -f "$OUT/$file"; done
 
 echo "input: $step"
@@ -26,7 +26,7 @@ what() {
     drilled.step) echo "the part less the pin" ;;
     regions.inp) echo "mesh for CalculiX and Abaqus, a set for each region" ;;
     regions.vtu) echo "the same mesh for ParaView" ;;
-    regions.png | drilled.png) echo "picture" ;;
+    regions.png | exploded.png | drilled.png) echo "picture" ;;
     regions.svg) echo "line drawing with hidden lines removed" ;;
     regions.html) echo "a page to turn the model in; opens in any browser, without a network" ;;
   esac

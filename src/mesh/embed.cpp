@@ -147,6 +147,9 @@ class Embedder {
     box.add(a);
     box.add(b);
     collect(box.grown(1.5 * length));
+    for (const auto& t : near_) {
+      if (!degenerate(t) && segment_meets(side.a, side.b, t)) return false;
+    }
     const Vec3 x = any_perpendicular(axis), y = cross(axis, x);
     const auto apex = static_cast<std::uint32_t>(out_.points.size());
     for (double height = first_height; height > least_height; height *= 0.5) {

@@ -17,6 +17,5 @@ inline constexpr ErrorCode mesh_volume_failed{806, "mesh.volume_failed"};    ///
 inline constexpr ErrorCode mesh_check_failed{807, "mesh.check_failed"};      ///< a finished volume mesh fails a check
 inline constexpr ErrorCode mesh_embedded_wire{808,
                                               "mesh.embedded_wire"};  ///< a wire or point inside a region cannot be met
-inline constexpr ErrorCode mesh_open_region{809, "mesh.open_region"};  ///< a region without a closed boundary
 
 }  // namespace aresta::errors

@@ -32,6 +32,7 @@ SizeField::SizeField(const Box3& box, double largest, double least, double gradi
 }
 
 void SizeField::restrict(Vec3 start, double wanted) {
+  if (!(wanted > 0) || !is_finite(start)) return;
   std::deque<std::pair<Vec3, double>> pending{{start, std::max(wanted, least_)}};
   while (!pending.empty()) {
     const auto [p, size] = pending.front();

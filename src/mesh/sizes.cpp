@@ -157,6 +157,7 @@ Samples sample_edge(const Model& model, EdgeId e, const SizeField& field) {
     least = std::min(least, field.at(p));
     before = p;
   }
+  if (!std::isfinite(rough) || !(least > 0)) return {};
   const double wished = std::clamp(std::ceil(6 * rough / least), straight ? 16.0 : 64.0, 40000.0);
   const auto count = static_cast<int>(wished);
   Samples samples;
@@ -234,6 +235,8 @@ Result<MeshOptions> complete_options(const Model& model, const MeshOptions& opti
   complete.least_size = std::min(complete.least_size, complete.size);
   // Refuse what would not fit into memory, before hours are spent.
   const double cells = diagonal / complete.size;
+  if (!std::isfinite(diagonal))
+    return Error{errors::mesh_bad_input, "the model reaches to infinity or is not a number"};
   if (cells > 5000) {
     return Error{errors::mesh_bad_options,
                  "the element size is less than a 5000th of the model's size",
