@@ -3,6 +3,7 @@
 // points inside faces not at all. So a file of ours says in its header how many regions, faces, edges and vertices
 // there were, writes inner edges and points beside the solids, and reading imprints the parts on each other when the
 // counts show that something was shared; the counts then prove the result. Files of others are taken as they are.
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -18,6 +19,7 @@
 #include "exchange/shape_import.h"
 #include "exchange/step/step_module.h"
 #include "fragment/fragment.h"
+#include "model/inherit.h"
 #include "occt/model_shape.h"
 #include "occt/shape_data.h"
 
@@ -82,6 +84,7 @@ Result<std::optional<Model>> share(const StepContents& contents, const Counts& r
   }
   if (counts_of(*joined->model) != recorded) return std::optional<Model>();
   Model model = *joined->model;
+  inherit_labels(model);
   model.provenance = nullptr;
   model.length_unit = options.length_unit;
   return std::optional<Model>(std::move(model));
@@ -201,9 +204,12 @@ class PartMaker {
     for (const EdgeId e : k_.edges()) {
       bool inside = !k_.is_wire(e);
       for (const CoedgeId c : k_.coedges(e)) inside = inside && is_inner(c);
-      if (k_.is_wire(e) || inside) add(shapes_.edges[e.index()], e, "wire " + std::to_string(++number));
+      if (k_.is_wire(e) || inside) add(apart(shapes_.edges[e.index()]), e, "wire " + std::to_string(++number));
     }
   }
+
+  /// The library does not write again what it has met inside a face: a copy is something else.
+  static TopoDS_Shape apart(const TopoDS_Shape& shape) { return BRepBuilderAPI_Copy(shape).Shape(); }
 
   bool is_inner(CoedgeId c) const {
     for (const CoedgeId other : k_.coedges(k_.edge(c))) {
@@ -218,7 +224,7 @@ class PartMaker {
     std::size_t number = 0;
     for (const VertexId v : k_.vertices()) {
       if (!k_.has_no_edge(v)) continue;
-      add(shapes_.vertices[v.index()], v, "point " + std::to_string(++number));
+      add(apart(shapes_.vertices[v.index()]), v, "point " + std::to_string(++number));
     }
   }
 

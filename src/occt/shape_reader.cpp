@@ -141,19 +141,14 @@ class Reader {
           if (plane == nullptr) plane_only_[e] = false;
           double low = 0, high = 0;
           const Handle(Geom_Curve) curve = BRep_Tool::Curve(TopoDS::Edge(maps_.edges(use.edge)), low, high);
-          const int samples = plane != nullptr && from_occt(curve).is_line() ? 1 : 46;
-          for (int s = 0; s <= samples; ++s) {
-            const double t = low + (high - low) * s / samples;
+          const auto off = [&](double t) {
             const Vec3 p = to_vec(curve->Value(t));
-            double off = 0;
-            if (plane != nullptr) {
-              off = std::abs(dot(p - plane->frame.origin, cross(plane->frame.x, plane->frame.y)));
-            } else {
-              const gp_Pnt2d uv = use.image->Value(t);
-              off = distance(p, to_vec(surface->Value(uv.X(), uv.Y())));
-            }
-            edge_off_[e] = std::max(edge_off_[e], off);
-          }
+            if (plane != nullptr) return std::abs(dot(p - plane->frame.origin, cross(plane->frame.x, plane->frame.y)));
+            const gp_Pnt2d uv = use.image->Value(t);
+            return distance(p, to_vec(surface->Value(uv.X(), uv.Y())));
+          };
+          const bool straight = plane != nullptr && from_occt(curve).is_line();
+          edge_off_[e] = std::max(edge_off_[e], greatest(off, low, high, straight ? 1 : 40));
         }
         if (loop.vertex > 0) {
           auto& off = vertex_off_[static_cast<std::size_t>(loop.vertex - 1)];
@@ -166,12 +161,37 @@ class Reader {
     negligible_ = box.IsVoid() ? 0 : 5e-10 * std::sqrt(box.SquareExtent());
   }
 
+  /// The greatest value of f: of samples, then by halving around the greatest of them.
+  template <class Function>
+  static double greatest(const Function& f, double low, double high, int samples) {
+    double best = 0, at = low, step = (high - low) / samples;
+    for (int i = 0; i <= samples; ++i) {
+      const double t = low + step * i, value = f(t);
+      if (value > best) {
+        best = value;
+        at = t;
+      }
+    }
+    if (samples < 2 || best == 0) return best;
+    for (int i = 0; i < 12; ++i) {
+      step *= 0.5;
+      for (const double t : {at - step, at + step}) {
+        if (t < low || t > high) continue;
+        const double value = f(t);
+        if (value <= best) continue;
+        best = value;
+        at = t;
+      }
+    }
+    return best;
+  }
+
   Vec3 point(int vertex) const { return to_vec(BRep_Tool::Pnt(TopoDS::Vertex(maps_.vertices(vertex)))); }
 
-  /// What a measured deviation means as a tolerance; samples may have missed the largest one.
+  /// What a measured deviation means as a tolerance: a little more, since the greatest one may lie between samples.
   double tolerance(double measured, double stated) const {
     if (measured <= negligible_) return 0;
-    return std::max(1.25 * measured, std::min(1.5 * measured, stated));
+    return std::max(1.1 * measured, std::min(1.5 * measured, stated));
   }
 
   Status add_vertices() {

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <map>
 
 #include "model/query.h"
@@ -123,10 +122,10 @@ class SolidCells {
     for (std::size_t s = 0; s < n; ++s) {
       for (const FaceUse use : maps_.sides[s].inside) cells.of_face_use[use.opposite().index()] = around[s];
     }
-    std::uint32_t next = static_cast<std::uint32_t>(n) + 1;
+    std::size_t next = 0;
     for (const SolidSides& sides : maps_.sides) {
       for (const VoidSides& hollow : sides.voids) {
-        for (const FaceUse use : hollow.outside) cells.of_face_use[use.index()] = next;
+        for (const FaceUse use : hollow.outside) cells.of_face_use[use.index()] = void_cell_[next];
         ++next;
       }
     }
@@ -137,29 +136,48 @@ class SolidCells {
     }
   }
 
-  /// Per solid the cell of the smallest void that holds it, else 0. Gives the voids their cells.
+  static double volume_of(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shape, properties);
+    return properties.Mass();
+  }
+
+  /// Per solid the cell of the smallest void that holds it, else 0. Gives the voids their cells; a void that solids
+  /// fill wholly leaves no space for one, and its sides count as outside.
   std::vector<std::uint32_t> find_surroundings() {
-    std::vector<std::uint32_t> around(inner_.size(), 0);
-    std::vector<double> smallest(inner_.size(), std::numeric_limits<double>::infinity());
+    constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> holder(inner_.size(), nowhere);
+    std::vector<double> volumes, left;
     for (std::size_t s = 0; s < inner_.size(); ++s) {
       for (const VoidSides& hollow : maps_.sides[s].voids) {
-        const std::uint32_t cell = cells.count++;
-        filled.push_back(false);
         TopoDS_Solid space;
         BRep_Builder build;
         build.MakeSolid(space);
         build.Add(space, hollow.shell.Reversed());
-        GProp_GProps properties;
-        BRepGProp::VolumeProperties(space, properties);
+        volumes.push_back(volume_of(space));
         BRepClass3d_SolidClassifier classifier(space);
         for (std::size_t other = 0; other < inner_.size(); ++other) {
-          if (other == s || properties.Mass() >= smallest[other]) continue;
+          if (other == s || (holder[other] != nowhere && volumes[holder[other]] <= volumes.back())) continue;
           classifier.Perform(to_pnt(inner_[other]), Precision::Confusion());
-          if (classifier.State() != TopAbs_IN) continue;
-          around[other] = cell;
-          smallest[other] = properties.Mass();
+          if (classifier.State() == TopAbs_IN) holder[other] = volumes.size() - 1;
         }
       }
+    }
+    left = volumes;
+    for (std::size_t s = 0; s < inner_.size(); ++s) {
+      if (holder[s] == nowhere) continue;
+      double whole = volume_of(solid(s));
+      for (const VoidSides& hollow : maps_.sides[s].voids) whole += std::abs(volume_of(hollow.shell));
+      left[holder[s]] -= whole;
+    }
+    for (std::size_t v = 0; v < volumes.size(); ++v) {
+      const bool is_filled = left[v] <= 1e-5 * volumes[v];
+      void_cell_.push_back(is_filled ? 0 : cells.count++);
+      if (!is_filled) filled.push_back(false);
+    }
+    std::vector<std::uint32_t> around(inner_.size(), 0);
+    for (std::size_t s = 0; s < inner_.size(); ++s) {
+      if (holder[s] != nowhere) around[s] = void_cell_[holder[s]];
     }
     return around;
   }
@@ -170,6 +188,7 @@ class SolidCells {
   std::deque<BRepClass3d_SolidClassifier> solids_;
   std::vector<Bnd_Box> boxes_;
   std::vector<Vec3> inner_;
+  std::vector<std::uint32_t> void_cell_;  // per void, solid after solid
 };
 
 bool only_solids(const ShapeMaps& maps, std::size_t face_count) {

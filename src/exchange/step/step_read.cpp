@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <BRep_Builder.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_PrinterOStream.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepGeom_GeometricRepresentationItem.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <StepShape_TopologicalRepresentationItem.hxx>
 #include <TColStd_HSequenceOfExtendedString.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
@@ -118,21 +125,44 @@ class StepDocument {
   std::vector<LabelledShape> labelled_;
 };
 
+std::string number_of(const Handle(Interface_InterfaceModel) & model, const Handle(Standard_Transient) & entity) {
+  const Handle(StepData_StepModel) step = Handle(StepData_StepModel)::DownCast(model);
+  return step.IsNull() ? std::to_string(model->Number(entity)) : std::to_string(step->IdentLabel(entity));
+}
+
+/// Geometry or topology with missing or wrong references makes the library read through null handles.
+Status require_sound(const Handle(Interface_InterfaceModel) & model) {
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(Standard_Transient) entity = model->Value(i);
+    if (entity.IsNull() || !entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationItem))) continue;
+    if (!entity->IsKind(STANDARD_TYPE(StepShape_TopologicalRepresentationItem)) &&
+        !entity->IsKind(STANDARD_TYPE(StepGeom_GeometricRepresentationItem))) {
+      continue;
+    }
+    if (!model->IsErrorEntity(i) && !model->Check(i, Standard_True)->HasFailed()) continue;
+    return Error{errors::bad_content, "the STEP file is damaged: entity #" + number_of(model, entity) + " (" +
+                                          entity->DynamicType()->Name() + ") lacks something it refers to"};
+  }
+  return {};
+}
+
 Result<StepContents> read(const std::string& data, bool subshape_names, double length_unit, const Context& context) {
   const char* unit = unit_name(length_unit);
   if (unit == nullptr) return Error{errors::unsupported_content, "STEP files cannot be read into this unit of length"};
+  STEPControl_Controller::Init();  // parameters exist after this, and count when set before the reader is made
+  Interface_Static::SetCVal("xstep.cascade.unit", unit);
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", subshape_names ? 1 : 0);
+  Interface_Static::SetIVal("read.step.nonmanifold", 1);
   STEPCAFControl_Reader reader;
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
   reader.SetLayerMode(Standard_True);
-  Interface_Static::SetCVal("xstep.cascade.unit", unit);
-  Interface_Static::SetIVal("read.stepcaf.subshapes.name", subshape_names ? 1 : 0);
-  Interface_Static::SetIVal("read.step.nonmanifold", 1);
   std::istringstream stream(data);
   ARESTA_CHECK(context.step(0, "reading STEP"));
   if (reader.ChangeReader().ReadStream("file", stream) != IFSelect_RetDone) {
     return Error{errors::bad_content, "the STEP file cannot be parsed: it is damaged or not STEP at all"};
   }
+  ARESTA_CHECK(require_sound(reader.ChangeReader().Model()));
   const int entities = reader.ChangeReader().NbRootsForTransfer();
   if (entities == 0) return StepContents{};
   StepContents contents;
@@ -143,6 +173,7 @@ Result<StepContents> read(const std::string& data, bool subshape_names, double l
   for (const auto& name : names) contents.file_unit += (contents.file_unit.empty() ? "" : ", ") + name;
   Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
   XCAFDoc_DocumentTool::Set(document->Main(), Standard_False);
+  XCAFDoc_DocumentTool::SetLengthUnit(document, length_unit);
   Handle(ContextIndicator) progress = new ContextIndicator(context, "reading STEP", 0.1, 0.9);
   const bool done = reader.Transfer(document, progress->Start());
   ARESTA_CHECK(context.step(0.9, "reading STEP"));
