@@ -7,6 +7,7 @@
 #include "exchange/errors.h"
 #include "exchange/formats.h"
 #include "exchange/join_parts.h"
+#include "exchange/recognize_forms.h"
 
 namespace aresta {
 
@@ -72,6 +73,7 @@ Result<Model> import_file(const std::string& path, const ImportOptions& options,
     if (error.code.failure == Failure::file) error.message = path + ": " + error.message;
     return error;
   }
+  ARESTA_TRY(*read, recognize_forms(std::move(*read), report));
   if (options.join) {
     ARESTA_TRY(*read, join_touching_parts(std::move(*read), report, context));
   }

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/union_find.h"
-#include "model/extract.h"
+#include "model/copy.h"
 #include "model/inherit.h"
 #include "model/measure.h"
 #include "model/query.h"
@@ -261,39 +261,10 @@ Status check_conservation(const Fragment& result, const Context& context) {
 
 /// One operand needs no imprint: it is its own fragment.
 Result<Imprint> copy_of(const Model& model) {
-  const Complex& k = model.topology();
-  Imprint copy;
-  for (const VertexId v : k.vertices()) {
-    copy.builder.add_vertex(model.point(v), model.tolerance(v));
-    copy.vertex_parents.push_back({{0, v}});
-  }
-  for (std::size_t c = 0; c < model.curve_count(); ++c) copy.builder.add_curve(model.curve(CurveId(c)));
-  for (std::size_t s = 0; s < model.surface_count(); ++s) copy.builder.add_surface(model.surface(SurfaceId(s)));
-  for (const EdgeId e : k.edges()) {
-    const EdgeGeometry& g = model.geometry(e);
-    copy.builder.add_edge(k.start(e), k.end(e), g.curve, g.range, g.tolerance);
-    copy.edge_parents.push_back({{0, e}});
-  }
-  for (const FaceId f : k.faces()) {
-    const FaceGeometry& g = model.geometry(f);
-    copy.builder.begin_face(g.surface, g.reversed, g.tolerance);
-    for (const LoopId l : k.loops(f)) {
-      if (k.is_vertex_loop(l)) {
-        copy.builder.add_point_loop(k.loop_vertex(l));
-        continue;
-      }
-      for (const CoedgeId c : k.coedges(l)) {
-        if (const Curve2* image = model.pcurve(c)) {
-          copy.builder.add_coedge(k.edge(c), k.reversed(c), *image);
-        } else {
-          copy.builder.add_coedge(k.edge(c), k.reversed(c));
-        }
-      }
-      copy.builder.close_loop();
-    }
-    copy.builder.end_face();
-    copy.face_parents.push_back({{0, f}});
-  }
+  Imprint copy{to_builder(model), {}, {}, {}};
+  for (const VertexId v : model.topology().vertices()) copy.vertex_parents.push_back({{0, v}});
+  for (const EdgeId e : model.topology().edges()) copy.edge_parents.push_back({{0, e}});
+  for (const FaceId f : model.topology().faces()) copy.face_parents.push_back({{0, f}});
   return copy;
 }
 

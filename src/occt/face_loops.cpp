@@ -95,6 +95,7 @@ class LoopFinder {
     if (is_plane_ && simple()) {
       for (auto& [vertex, ends] : ends_) halves_[ends.in.front()].next = ends.out.front();
     } else {
+      if (!is_plane_) separate_seams(form.period());
       place_images();
       split_poles();
       ARESTA_CHECK(link(form));
@@ -170,6 +171,47 @@ class LoopFinder {
       halves_.push_back(back);
     }
     return {};
+  }
+
+  // A seam that the face shares with another one's seam comes with one image for both of its uses. With the face to the
+  // left, the use that goes up in the other parameter is the one at the far end of the period.
+  void separate_seams(Vec2 period) {
+    for (std::size_t i = 0; i < halves_.size(); ++i) {
+      for (std::size_t j = i + 1; j < halves_.size(); ++j) {
+        Half &a = halves_[i], &b = halves_[j];
+        if (a.edge == pole || a.edge != b.edge || a.reversed == b.reversed || a.inner || b.inner) continue;
+        if (a.image.flat.IsNull() || b.image.flat.IsNull() || distance(a.at(0.5), b.at(0.5)) > 1e-9) continue;
+        const Vec2 along = a.at(1) - a.at(0);
+        const bool across_u = std::abs(along.y) >= std::abs(along.x);
+        const double whole = across_u ? period.x : period.y;
+        if (whole == 0) continue;
+        const bool a_far = across_u ? along.y > 0 : along.x < 0;
+        Half &far = a_far ? a : b, &low = a_far ? b : a;
+        const double here = across_u ? a.at(0.5).x : a.at(0.5).y;
+        if (here < middle_of_others(across_u)) {
+          shift(far, across_u, whole);
+        } else {
+          shift(low, across_u, -whole);
+        }
+      }
+    }
+  }
+
+  double middle_of_others(bool across_u) const {
+    double low = 1e300, high = -1e300;
+    for (const Half& h : halves_) {
+      for (const double share : {0.0, 0.5, 1.0}) {
+        const double x = across_u ? h.at(share).x : h.at(share).y;
+        low = std::min(low, x);
+        high = std::max(high, x);
+      }
+    }
+    return 0.5 * (low + high);
+  }
+
+  static void shift(Half& h, bool across_u, double by) {
+    h.image.flat =
+        Handle(Geom2d_Curve)::DownCast(h.image.flat->Translated(across_u ? gp_Vec2d(by, 0) : gp_Vec2d(0, by)));
   }
 
   bool simple() const {
