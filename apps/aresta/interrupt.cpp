@@ -36,7 +36,9 @@ void remember_temporary(const std::string& file, const std::string& folder) {
   has_temporary = true;
 }
 
-void forget_temporary() { has_temporary = false; }
+void forget_temporary() {
+  has_temporary = false;
+}
 
 const std::atomic<bool>& watch_interrupts() {
   struct sigaction action {};

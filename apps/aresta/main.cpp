@@ -36,7 +36,8 @@ CLI::App* add_command(CLI::App& app, Common& common, const char* name, const cha
   CLI::App* sub = app.add_subcommand(name, text);
   sub->footer(examples);
   const char* group = "Common options";
-  sub->add_option("--tolerance", common.tolerance, "points closer than this are one (document units; default: the model's own)")
+  sub->add_option("--tolerance", common.tolerance,
+                  "points closer than this are one (document units; default: the model's own)")
       ->group(group)
       ->type_name("T")
       ->check([](const std::string& text_given) {
@@ -44,7 +45,8 @@ CLI::App* add_command(CLI::App& app, Common& common, const char* name, const cha
         const bool good = CLI::detail::lexical_cast(text_given, value) && std::isfinite(value) && value > 0;
         return good ? std::string() : "it must be a number greater than 0";
       });
-  sub->add_option("--threads", common.threads, "how many threads to use (default: all)")->group(group)
+  sub->add_option("--threads", common.threads, "how many threads to use (default: all)")
+      ->group(group)
       ->type_name("N")
       ->check([](const std::string& given) {
         int value = 0;
@@ -82,10 +84,13 @@ int main_in_words(int argc, char** argv) {
                                       "\n"
                                       "The language is a subset of Python; 'aresta help' lists its commands.");
   run_command->add_option("FILE", run.file, "the script; - for standard input")->required()->type_name("");
-  run_command->add_option("-D,--define", run.definitions, "a variable that is set before the script starts, as name=value")
+  run_command
+      ->add_option("-D,--define", run.definitions, "a variable that is set before the script starts, as name=value")
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
-  run_command->add_option("--summary-file", run.summary_file, "a JSON file for times, printed lines and the last model's figures")
+  run_command
+      ->add_option("--summary-file", run.summary_file,
+                   "a JSON file for times, printed lines and the last model's figures")
       ->type_name("OUT.json");
 
   HelpOptions help;
@@ -95,40 +100,59 @@ int main_in_words(int argc, char** argv) {
 
   // Sub-commands on files of models.
   const auto formats = [](CLI::App* sub, Formats& into, bool has_output) {
-    sub->add_option("--format", into.format, has_output ? "format of the output, in place of what its ending says" : "format of the file, in place of what its ending says")->type_name("FORMAT");
-    if (has_output) sub->add_option("--input-format", into.input_format, "format of the input, likewise")->type_name("FORMAT");
+    sub->add_option("--format", into.format,
+                    has_output ? "format of the output, in place of what its ending says"
+                               : "format of the file, in place of what its ending says")
+        ->type_name("FORMAT");
+    if (has_output)
+      sub->add_option("--input-format", into.input_format, "format of the input, likewise")->type_name("FORMAT");
   };
-  const auto output = [](CLI::App* sub, std::string& into) { sub->add_option("-o,--output", into, "the file to write; - for standard output")->required()->type_name("OUT"); };
+  const auto output = [](CLI::App* sub, std::string& into) {
+    sub->add_option("-o,--output", into, "the file to write; - for standard output")->required()->type_name("OUT");
+  };
 
   FileOptions info;
-  CLI::App* info_command = add_command(app, program.common, "info", "Say what is in a file: counts, bounds, measures, unit, kinds of surfaces, tolerances.",
-                                       "Example:\n  aresta info part.step --json");
-  info_command->add_option("FILE", info.file, "STEP, BREP, STL, OBJ, PLY or OFF; - for standard input")->required()->type_name("");
+  CLI::App* info_command =
+      add_command(app, program.common, "info",
+                  "Say what is in a file: counts, bounds, measures, unit, kinds of surfaces, tolerances.",
+                  "Example:\n  aresta info part.step --json");
+  info_command->add_option("FILE", info.file, "STEP, BREP, STL, OBJ, PLY or OFF; - for standard input")
+      ->required()
+      ->type_name("");
   formats(info_command, info, false);
 
   FileOptions checked;
-  CLI::App* check_command = add_command(app, program.common, "check", "Run the full checker; list what it finds, with entities and places.",
-                                        "Example:\n  aresta check part.step\n\nExit status 4 when there are findings.");
+  CLI::App* check_command =
+      add_command(app, program.common, "check", "Run the full checker; list what it finds, with entities and places.",
+                  "Example:\n  aresta check part.step\n\nExit status 4 when there are findings.");
   check_command->add_option("FILE", checked.file, "the file; - for standard input")->required()->type_name("");
   formats(check_command, checked, false);
 
   ConvertOptions convert;
-  CLI::App* convert_command = add_command(app, program.common, "convert", "Read a model and write it in another format.",
-                                          "Examples:\n  aresta convert part.step part.brep\n  aresta convert part.step - --format stl > part.stl");
+  CLI::App* convert_command = add_command(
+      app, program.common, "convert", "Read a model and write it in another format.",
+      "Examples:\n  aresta convert part.step part.brep\n  aresta convert part.step - --format stl > part.stl");
   convert_command->add_option("IN", convert.in, "the file to read")->required()->type_name("");
-  convert_command->add_option("OUT", convert.out, "the file to write: STEP, BREP, STL or OBJ")->required()->type_name("");
+  convert_command->add_option("OUT", convert.out, "the file to write: STEP, BREP, STL or OBJ")
+      ->required()
+      ->type_name("");
   formats(convert_command, convert, true);
 
   FragmentCommandOptions pieces;
-  CLI::App* fragment_command = add_command(app, program.common, "fragment", "Imprint everything on everything, find all regions, keep them all.",
-                                           "Example:\n  aresta fragment core.step shell.step -o all.step\n\nWhat touches shares faces, edges and vertices in the result.");
-  fragment_command->add_option("IN", pieces.in, "the files to read; parts of one file are imprinted too")->required()->type_name("");
+  CLI::App* fragment_command =
+      add_command(app, program.common, "fragment", "Imprint everything on everything, find all regions, keep them all.",
+                  "Example:\n  aresta fragment core.step shell.step -o all.step\n\nWhat touches shares faces, edges "
+                  "and vertices in the result.");
+  fragment_command->add_option("IN", pieces.in, "the files to read; parts of one file are imprinted too")
+      ->required()
+      ->type_name("");
   output(fragment_command, pieces.out);
   formats(fragment_command, pieces, true);
 
   BooleanCommandOptions boolean;
-  CLI::App* boolean_command = add_command(app, program.common, "boolean", "Union, intersection or difference of two files.",
-                                          "Example:\n  aresta boolean difference plate.step holes.step -o drilled.step --regularise");
+  CLI::App* boolean_command =
+      add_command(app, program.common, "boolean", "Union, intersection or difference of two files.",
+                  "Example:\n  aresta boolean difference plate.step holes.step -o drilled.step --regularise");
   boolean_command->add_option("OPERATION", boolean.operation, "union, intersection, difference or symmetric_difference")
       ->required()
       ->type_name("")
@@ -141,38 +165,59 @@ int main_in_words(int argc, char** argv) {
   boolean_command->add_option("A", boolean.a, "the first file")->required()->type_name("");
   boolean_command->add_option("B", boolean.b, "the second file")->required()->type_name("");
   output(boolean_command, boolean.out);
-  boolean_command->add_flag("--regularise", boolean.regularise, "keep solids only: no dangling faces, wires or inner walls");
+  boolean_command->add_flag("--regularise", boolean.regularise,
+                            "keep solids only: no dangling faces, wires or inner walls");
   boolean_command->add_flag("--simplify", boolean.simplify, "merge neighbouring faces on one surface afterwards");
   formats(boolean_command, boolean, true);
 
   MeshCommandOptions meshing;
-  CLI::App* mesh_command = add_command(app, program.common, "mesh", "Make a finite element mesh of all regions, sheets and wires.",
-                                       "Example:\n  aresta mesh all.step -o all.inp --size 2 --order 2\n\nRegions that touch share nodes. Names and groups become sets.");
+  CLI::App* mesh_command =
+      add_command(app, program.common, "mesh", "Make a finite element mesh of all regions, sheets and wires.",
+                  "Example:\n  aresta mesh all.step -o all.inp --size 2 --order 2\n\nRegions that touch share nodes. "
+                  "Names and groups become sets.");
   mesh_command->add_option("IN", meshing.in, "the file to read")->required()->type_name("");
-  mesh_command->add_option("-o,--output", meshing.out, "the file to write: .inp (Abaqus, CalculiX), .msh (4.1; --format msh2 for 2.2) or .vtu")->required()->type_name("OUT");
-  mesh_command->add_option("--size", meshing.size, "wished length of the elements' sides (default: a twelfth of the model's size)")->type_name("H");
-  mesh_command->add_option("--order", meshing.order, "1: straight elements, 2: with nodes in the middle of their sides")->type_name("1|2");
+  mesh_command
+      ->add_option("-o,--output", meshing.out,
+                   "the file to write: .inp (Abaqus, CalculiX), .msh (4.1; --format msh2 for 2.2) or .vtu")
+      ->required()
+      ->type_name("OUT");
+  mesh_command
+      ->add_option("--size", meshing.size,
+                   "wished length of the elements' sides (default: a twelfth of the model's size)")
+      ->type_name("H");
+  mesh_command->add_option("--order", meshing.order, "1: straight elements, 2: with nodes in the middle of their sides")
+      ->type_name("1|2");
   formats(mesh_command, meshing, true);
 
   RenderCommandOptions picture;
-  CLI::App* render_command = add_command(app, program.common, "render", "Draw a model: PNG (shaded), SVG (lines) or HTML (a page that turns it).",
-                                         "Examples:\n  aresta render part.step -o part.png\n  aresta render part.step -o part.svg --view front --hidden-lines\n  aresta render all.step -o all.html --explode 0.5");
+  CLI::App* render_command = add_command(
+      app, program.common, "render", "Draw a model: PNG (shaded), SVG (lines) or HTML (a page that turns it).",
+      "Examples:\n  aresta render part.step -o part.png\n  aresta render part.step -o part.svg --view front "
+      "--hidden-lines\n  aresta render all.step -o all.html --explode 0.5");
   render_command->add_option("IN", picture.in, "the file to read")->required()->type_name("");
-  render_command->add_option("-o,--output", picture.out, "the picture: .png, .svg or .html")->required()->type_name("OUT");
-  render_command->add_option("--view", picture.view, "iso, front, back, left, right, top or bottom (default: iso)")->type_name("VIEW");
+  render_command->add_option("-o,--output", picture.out, "the picture: .png, .svg or .html")
+      ->required()
+      ->type_name("OUT");
+  render_command->add_option("--view", picture.view, "iso, front, back, left, right, top or bottom (default: iso)")
+      ->type_name("VIEW");
   render_command->add_flag("--hidden-lines", picture.hidden_lines, "in SVG: remove the lines that cannot be seen");
   render_command->add_flag("--perspective", picture.perspective, "as the eye sees it");
-  render_command->add_option("--explode", picture.explode, "how far regions move apart: 0 not at all, 1 to twice their distance")->type_name("F");
+  render_command
+      ->add_option("--explode", picture.explode, "how far regions move apart: 0 not at all, 1 to twice their distance")
+      ->type_name("F");
   render_command->add_option("--opacity", picture.opacity, "in PNG: of faces, from 0 to 1")->type_name("F");
   render_command->add_option("--width", picture.width, "pixels (default: 1600)")->type_name("N");
   render_command->add_option("--height", picture.height, "pixels (default: 1200)")->type_name("N");
   formats(render_command, picture, true);
 
   CutCommandOptions cutting;
-  CLI::App* cut_command = add_command(app, program.common, "cut", "Cut a model in two by a plane.",
-                                      "Example:\n  aresta cut part.step --plane 0,0,5,0,0,1 --above top.step --below bottom.step --section rim.step");
+  CLI::App* cut_command = add_command(
+      app, program.common, "cut", "Cut a model in two by a plane.",
+      "Example:\n  aresta cut part.step --plane 0,0,5,0,0,1 --above top.step --below bottom.step --section rim.step");
   cut_command->add_option("IN", cutting.in, "the file to read")->required()->type_name("");
-  cut_command->add_option("--plane", cutting.plane, "a point of the plane and its normal, six numbers with commas")->required()->type_name("px,py,pz,nx,ny,nz");
+  cut_command->add_option("--plane", cutting.plane, "a point of the plane and its normal, six numbers with commas")
+      ->required()
+      ->type_name("px,py,pz,nx,ny,nz");
   cut_command->add_option("--above", cutting.above, "a file for what the normal points to")->type_name("OUT");
   cut_command->add_option("--below", cutting.below, "a file for the other side")->type_name("OUT");
   cut_command->add_option("--section", cutting.section, "a file for the faces in the plane")->type_name("OUT");
@@ -193,9 +238,11 @@ int main_in_words(int argc, char** argv) {
       text = std::string("there is no command '") + argv[1] + "'";
       std::vector<std::string> names;
       for (const CLI::App* s : app.get_subcommands({})) names.push_back(s->get_name());
-      if (const std::string near = document::nearest_name(argv[1], names); !near.empty()) text += "; did you mean '" + near + "'?";
+      if (const std::string near = document::nearest_name(argv[1], names); !near.empty())
+        text += "; did you mean '" + near + "'?";
     }
-    report("aresta: " + text + "; see: aresta " + (sub ? app.get_subcommands().front()->get_name() + " " : "") + "--help");
+    report("aresta: " + text + "; see: aresta " + (sub ? app.get_subcommands().front()->get_name() + " " : "") +
+           "--help");
     return status_usage;
   }
 
@@ -226,10 +273,14 @@ int main_in_words(int argc, char** argv) {
 
 int exit_status(const Error& error) {
   switch (error.code.failure) {
-    case Failure::operation: return status_failed;
-    case Failure::usage: return status_usage;
-    case Failure::file: return status_file;
-    case Failure::cancelled: return status_interrupted;
+    case Failure::operation:
+      return status_failed;
+    case Failure::usage:
+      return status_usage;
+    case Failure::file:
+      return status_file;
+    case Failure::cancelled:
+      return status_interrupted;
   }
   return status_failed;
 }

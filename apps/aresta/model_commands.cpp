@@ -21,7 +21,9 @@ std::string counted(std::size_t n, const std::string& one, const std::string& ma
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-std::string point_text(Vec3 p) { return figure(p.x) + " " + figure(p.y) + " " + figure(p.z); }
+std::string point_text(Vec3 p) {
+  return figure(p.x) + " " + figure(p.y) + " " + figure(p.z);
+}
 
 std::string kinds_text(const std::map<std::string, std::size_t>& kinds) {
   std::string text;
@@ -30,19 +32,28 @@ std::string kinds_text(const std::map<std::string, std::size_t>& kinds) {
 }
 
 std::string summary_line(const document::ModelInfo& info) {
-  return counted(info.regions, "region", "regions") + ", " + counted(info.faces, "face", "faces") + ", " + counted(info.edges, "edge", "edges") + ", " +
-         counted(info.vertices, "vertex", "vertices") + "; volume " + figure(info.volume) + ", area " + figure(info.area);
+  return counted(info.regions, "region", "regions") + ", " + counted(info.faces, "face", "faces") + ", " +
+         counted(info.edges, "edge", "edges") + ", " + counted(info.vertices, "vertex", "vertices") + "; volume " +
+         figure(info.volume) + ", area " + figure(info.area);
 }
 
 std::string info_text(const std::string& file, const document::ModelInfo& info) {
   const std::string unit = document::unit_name(info.length_unit);
   std::string text = file + "\n";
-  const auto line = [&text](const char* what, const std::string& value) { text += "  " + std::string(what) + std::string(12 - std::string(what).size(), ' ') + value + "\n"; };
-  line("regions", std::to_string(info.regions) + " (" + counted(info.shells, "shell", "shells") + "), in " + counted(info.components, "component", "components"));
-  line("faces", std::to_string(info.faces) + ": " + kinds_text(info.surfaces) + (info.constraint_faces > 0 ? "; " + counted(info.constraint_faces, "constraint", "constraints") : ""));
-  line("edges", std::to_string(info.edges) + ": " + kinds_text(info.curves) + (info.wire_edges > 0 ? "; " + counted(info.wire_edges, "wire", "wires") : ""));
-  line("vertices", std::to_string(info.vertices) + (info.isolated_vertices > 0 ? "; " + std::to_string(info.isolated_vertices) + " isolated" : ""));
-  if (!info.bounds.empty()) line("bounds", point_text(info.bounds.low) + " to " + point_text(info.bounds.high) + " " + unit);
+  const auto line = [&text](const char* what, const std::string& value) {
+    text += "  " + std::string(what) + std::string(12 - std::string(what).size(), ' ') + value + "\n";
+  };
+  line("regions", std::to_string(info.regions) + " (" + counted(info.shells, "shell", "shells") + "), in " +
+                      counted(info.components, "component", "components"));
+  line("faces",
+       std::to_string(info.faces) + ": " + kinds_text(info.surfaces) +
+           (info.constraint_faces > 0 ? "; " + counted(info.constraint_faces, "constraint", "constraints") : ""));
+  line("edges", std::to_string(info.edges) + ": " + kinds_text(info.curves) +
+                    (info.wire_edges > 0 ? "; " + counted(info.wire_edges, "wire", "wires") : ""));
+  line("vertices", std::to_string(info.vertices) +
+                       (info.isolated_vertices > 0 ? "; " + std::to_string(info.isolated_vertices) + " isolated" : ""));
+  if (!info.bounds.empty())
+    line("bounds", point_text(info.bounds.low) + " to " + point_text(info.bounds.high) + " " + unit);
   line("volume", figure(info.volume));
   line("area", figure(info.area));
   line("length", figure(info.length) + " of all edges");
@@ -53,8 +64,10 @@ std::string info_text(const std::string& file, const document::ModelInfo& info) 
     if (++shown > max_lines) break;
     line("name", std::string(to_string(entity.kind)) + " " + std::to_string(entity.index) + " '" + name + "'");
   }
-  if (shown > max_lines) line("", "and " + std::to_string(info.names.size() - max_lines) + " more names; --json lists all");
-  for (const auto& [name, size] : info.groups) line("group", "'" + name + "' of " + counted(size, "entity", "entities"));
+  if (shown > max_lines)
+    line("", "and " + std::to_string(info.names.size() - max_lines) + " more names; --json lists all");
+  for (const auto& [name, size] : info.groups)
+    line("group", "'" + name + "' of " + counted(size, "entity", "entities"));
   return text;
 }
 
@@ -62,7 +75,8 @@ std::string info_text(const std::string& file, const document::ModelInfo& info) 
 Result<int> tell(Program& program, const Value& shape, const std::string& out) {
   if (out == "-" || program.common.quiet) return static_cast<int>(status_done);
   ARESTA_TRY(const document::ModelInfo info, document::model_info(Commands::model_of(shape), program.context));
-  ARESTA_CHECK(program.output.write(program.common.json ? json_text(to_json(info)) : out + ": " + summary_line(info) + "\n"));
+  ARESTA_CHECK(
+      program.output.write(program.common.json ? json_text(to_json(info)) : out + ": " + summary_line(info) + "\n"));
   return static_cast<int>(status_done);
 }
 
@@ -85,7 +99,8 @@ std::string figure(double value) {
 
 Result<int> show_info(Program& program, const FileOptions& options) {
   Commands commands(program);
-  ARESTA_TRY(const Value shape, commands.import(options.file, options.input_format.empty() ? options.format : options.input_format));
+  ARESTA_TRY(const Value shape,
+             commands.import(options.file, options.input_format.empty() ? options.format : options.input_format));
   ARESTA_TRY(const document::ModelInfo info, document::model_info(Commands::model_of(shape), program.context));
   if (program.common.json) {
     Json json = to_json(info);
@@ -99,14 +114,22 @@ Result<int> show_info(Program& program, const FileOptions& options) {
 
 Result<int> check_file(Program& program, const FileOptions& options) {
   Commands commands(program);
-  ARESTA_TRY(const Value shape, commands.import(options.file, options.input_format.empty() ? options.format : options.input_format, false));
+  ARESTA_TRY(
+      const Value shape,
+      commands.import(options.file, options.input_format.empty() ? options.format : options.input_format, false));
   ARESTA_TRY(const std::vector<Finding> findings, check(*Commands::model_of(shape), CheckLevel::full, program.context));
   if (program.common.json) {
     Json list = Json::array();
     for (const Finding& f : findings) {
       Json entities = Json::array();
-      for (const EntityRef e : f.entities) entities.push_back(std::string(to_string(e.kind)) + " " + std::to_string(e.index));
-      list.push_back({{"kind", to_string(f.kind)}, {"entities", entities}, {"place", {f.place.x, f.place.y, f.place.z}}, {"value", f.value}, {"allowed", f.allowed}, {"message", f.message}});
+      for (const EntityRef e : f.entities)
+        entities.push_back(std::string(to_string(e.kind)) + " " + std::to_string(e.index));
+      list.push_back({{"kind", to_string(f.kind)},
+                      {"entities", entities},
+                      {"place", {f.place.x, f.place.y, f.place.z}},
+                      {"value", f.value},
+                      {"allowed", f.allowed},
+                      {"message", f.message}});
     }
     ARESTA_CHECK(program.output.write(json_text({{"file", options.file}, {"findings", list}})));
   } else {
@@ -116,7 +139,9 @@ Result<int> check_file(Program& program, const FileOptions& options) {
       ARESTA_CHECK(program.output.write(line + " at " + point_text(f.place) + ": " + f.message + "\n"));
     }
     if (!program.common.quiet) {
-      ARESTA_CHECK(program.output.write(options.file + ": " + (findings.empty() ? "all is well" : counted(findings.size(), "finding", "findings")) + "\n"));
+      ARESTA_CHECK(program.output.write(
+          options.file + ": " + (findings.empty() ? "all is well" : counted(findings.size(), "finding", "findings")) +
+          "\n"));
     }
   }
   return static_cast<int>(findings.empty() ? status_done : status_findings);
@@ -150,14 +175,16 @@ Result<int> boolean_files(Program& program, const BooleanCommandOptions& options
   if (options.simplify) {
     ARESTA_TRY(result, commands.call("simplify", {result}));
   }
-  ARESTA_CHECK(commands.write("export", result, options.out, format_out(options.out, options.a == "-" ? options.a : options.b, options)));
+  ARESTA_CHECK(commands.write("export", result, options.out,
+                              format_out(options.out, options.a == "-" ? options.a : options.b, options)));
   return tell(program, result, options.out);
 }
 
 Result<int> mesh_file(Program& program, const MeshCommandOptions& options) {
   Commands commands(program);
   ARESTA_TRY(const Value shape, commands.import(options.in, format_in(options.in, options)));
-  ARESTA_TRY(const Value mesh, commands.call("mesh", {shape}, {{"size", Value(options.size)}, {"order", Value(options.order)}}));
+  ARESTA_TRY(const Value mesh,
+             commands.call("mesh", {shape}, {{"size", Value(options.size)}, {"order", Value(options.order)}}));
   ARESTA_CHECK(commands.write("export", mesh, options.out, format_out(options.out, options.in, options)));
   if (options.out == "-" || program.common.quiet) return static_cast<int>(status_done);
   ARESTA_TRY(const Value nodes, commands.call("count", {mesh, Value("nodes")}));
@@ -167,14 +194,18 @@ Result<int> mesh_file(Program& program, const MeshCommandOptions& options) {
     Json json{{"nodes", nodes.integer()}, {"elements", elements.integer()}};
     for (const Value& pair : quality.items()) {
       const Value& v = pair.items()[1];
-      if (v.is(Value::Kind::integer)) json["quality"][pair.items()[0].string()] = v.integer();
-      else json["quality"][pair.items()[0].string()] = v.real();
+      if (v.is(Value::Kind::integer))
+        json["quality"][pair.items()[0].string()] = v.integer();
+      else
+        json["quality"][pair.items()[0].string()] = v.real();
     }
     ARESTA_CHECK(program.output.write(json_text(json)));
   } else {
-    std::string line = options.out + ": " + counted(static_cast<std::size_t>(nodes.integer()), "node", "nodes") + ", " + counted(static_cast<std::size_t>(elements.integer()), "element", "elements");
+    std::string line = options.out + ": " + counted(static_cast<std::size_t>(nodes.integer()), "node", "nodes") + ", " +
+                       counted(static_cast<std::size_t>(elements.integer()), "element", "elements");
     for (const Value& pair : quality.items()) {
-      if (pair.items()[0].string() == "smallest angle") line += "; smallest angle " + figure(pair.items()[1].number()) + " degrees";
+      if (pair.items()[0].string() == "smallest angle")
+        line += "; smallest angle " + figure(pair.items()[1].number()) + " degrees";
     }
     ARESTA_CHECK(program.output.write(line + "\n"));
   }
@@ -185,8 +216,13 @@ Result<int> render_file(Program& program, const RenderCommandOptions& options) {
   Commands commands(program);
   ARESTA_TRY(const Value shape, commands.import(options.in, format_in(options.in, options)));
   ARESTA_CHECK(commands.write("render", shape, options.out, format_out(options.out, options.in, options),
-                              {{"view", Value(options.view)}, {"hidden_lines", Value(options.hidden_lines)}, {"explode", Value(options.explode)},
-                               {"perspective", Value(options.perspective)}, {"opacity", Value(options.opacity)}, {"width", Value(options.width)}, {"height", Value(options.height)}}));
+                              {{"view", Value(options.view)},
+                               {"hidden_lines", Value(options.hidden_lines)},
+                               {"explode", Value(options.explode)},
+                               {"perspective", Value(options.perspective)},
+                               {"opacity", Value(options.opacity)},
+                               {"width", Value(options.width)},
+                               {"height", Value(options.height)}}));
   return static_cast<int>(status_done);
 }
 
@@ -203,13 +239,15 @@ Result<int> cut_file(Program& program, const CutCommandOptions& options) {
     if (r.ptr == end) break;
   }
   if (at != end || plane.size() != 6) {
-    return Error{usage_error, "--plane takes six numbers px,py,pz,nx,ny,nz: a point and the normal, not '" + options.plane + "'"};
+    return Error{usage_error,
+                 "--plane takes six numbers px,py,pz,nx,ny,nz: a point and the normal, not '" + options.plane + "'"};
   }
   if (options.above.empty() && options.below.empty() && options.section.empty()) {
     return Error{usage_error, "cut: say where results go: --above, --below or --section"};
   }
   Commands commands(program);
-  const Value point = Value::tuple({plane[0], plane[1], plane[2]}), normal = Value::tuple({plane[3], plane[4], plane[5]});
+  const Value point = Value::tuple({plane[0], plane[1], plane[2]}),
+              normal = Value::tuple({plane[3], plane[4], plane[5]});
   ARESTA_TRY(const Value shape, commands.import(options.in, format_in(options.in, options)));
   if (!options.above.empty() || !options.below.empty()) {
     ARESTA_TRY(const Value halves, commands.call("cut", {shape, point, normal}));

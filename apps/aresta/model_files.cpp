@@ -20,7 +20,8 @@ Commands::Commands(Program& program) : program_(program) {
   session_.tolerance = program.common.tolerance;
 }
 
-Result<Value> Commands::call(const std::string& name, std::vector<Value> positional, std::vector<std::pair<std::string, Value>> keywords) {
+Result<Value> Commands::call(const std::string& name, std::vector<Value> positional,
+                             std::vector<std::pair<std::string, Value>> keywords) {
   const document::Command* command = session_.registry->find(name);
   if (command == nullptr) return Error{errors::internal, "there is no command " + name};
   return document::invoke(*command, {.positional = std::move(positional), .keywords = std::move(keywords)}, session_);
@@ -36,13 +37,14 @@ Result<Value> Commands::import(const std::string& file, const std::string& forma
   if (!shape) {
     // The user knows nothing of the temporary file.
     std::string& message = shape.error().message;
-    if (const auto at = message.find(temporary.path()); at != std::string::npos) message.replace(at, temporary.path().size(), "standard input");
+    if (const auto at = message.find(temporary.path()); at != std::string::npos)
+      message.replace(at, temporary.path().size(), "standard input");
   }
   return shape;
 }
 
-Status Commands::write(const std::string& command, const Value& shape, const std::string& file, const std::string& format,
-                       std::vector<std::pair<std::string, Value>> keywords) {
+Status Commands::write(const std::string& command, const Value& shape, const std::string& file,
+                       const std::string& format, std::vector<std::pair<std::string, Value>> keywords) {
   keywords.emplace_back("format", Value(format));
   if (file != "-") {
     ARESTA_CHECK(call(command, {shape, Value(file)}, std::move(keywords)));
@@ -73,7 +75,8 @@ Result<TemporaryFile> TemporaryFile::make(const std::string& extension) {
   return file;
 }
 
-TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept : folder_(std::move(other.folder_)), path_(std::move(other.path_)) {
+TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
+    : folder_(std::move(other.folder_)), path_(std::move(other.path_)) {
   other.folder_.clear();
 }
 

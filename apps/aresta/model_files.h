@@ -22,8 +22,8 @@ class Commands {
   Result<document::Value> import(const std::string& file, const std::string& format, bool check = true);
 
   /// Calls `command` (export or render) for a file. Standard output gets the bytes once they are all there.
-  Status write(const std::string& command, const document::Value& shape, const std::string& file, const std::string& format,
-               std::vector<std::pair<std::string, document::Value>> keywords = {});
+  Status write(const std::string& command, const document::Value& shape, const std::string& file,
+               const std::string& format, std::vector<std::pair<std::string, document::Value>> keywords = {});
 
   /// The single model behind a shape.
   static std::shared_ptr<Model> model_of(const document::Value& shape);

@@ -20,7 +20,8 @@ Json to_json(const document::ModelInfo& info) {
   if (info.bounds.empty()) {
     json["bounds"] = nullptr;
   } else {
-    json["bounds"] = {{info.bounds.low.x, info.bounds.low.y, info.bounds.low.z}, {info.bounds.high.x, info.bounds.high.y, info.bounds.high.z}};
+    json["bounds"] = {{info.bounds.low.x, info.bounds.low.y, info.bounds.low.z},
+                      {info.bounds.high.x, info.bounds.high.y, info.bounds.high.z}};
   }
   json["unit"] = document::unit_name(info.length_unit);
   json["metres_per_unit"] = info.length_unit;
@@ -29,17 +30,22 @@ Json to_json(const document::ModelInfo& info) {
   json["surfaces"] = info.surfaces;
   json["curves"] = info.curves;
   Json names = Json::array();
-  for (const auto& [entity, name] : info.names) names.push_back({{"entity", std::string(to_string(entity.kind)) + " " + std::to_string(entity.index)}, {"name", name}});
+  for (const auto& [entity, name] : info.names)
+    names.push_back(
+        {{"entity", std::string(to_string(entity.kind)) + " " + std::to_string(entity.index)}, {"name", name}});
   json["names"] = std::move(names);
   Json groups = Json::array();
   for (const auto& [name, size] : info.groups) groups.push_back({{"name", name}, {"entities", size}});
   json["groups"] = std::move(groups);
   Json regions = Json::array();
-  for (const auto& [region, volume] : info.region_volumes) regions.push_back({{"region", region.index}, {"volume", volume}});
+  for (const auto& [region, volume] : info.region_volumes)
+    regions.push_back({{"region", region.index}, {"volume", volume}});
   json["region_volumes"] = std::move(regions);
   return json;
 }
 
-std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 }  // namespace aresta::app

@@ -12,7 +12,14 @@
 
 namespace aresta::app {
 
-enum ExitStatus : int { status_done = 0, status_failed = 1, status_usage = 2, status_file = 3, status_findings = 4, status_interrupted = 130 };
+enum ExitStatus : int {
+  status_done = 0,
+  status_failed = 1,
+  status_usage = 2,
+  status_file = 3,
+  status_findings = 4,
+  status_interrupted = 130
+};
 
 /// What every sub-command takes.
 struct Common {

@@ -56,7 +56,8 @@ Status define(script::Interpreter& interpreter, const std::string& definition) {
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   bool good = equals != std::string::npos && !name.empty() && letter(name[0]) && !script::is_keyword(name);
   for (const char c : name) good = good && (letter(c) || digit(c));
-  if (!good) return Error{usage_error, "-D takes name=value, with a name of letters, digits and _, not '" + definition + "'"};
+  if (!good)
+    return Error{usage_error, "-D takes name=value, with a name of letters, digits and _, not '" + definition + "'"};
   interpreter.set(name, script::value_of_definition(definition.substr(equals + 1)));
   return {};
 }
@@ -69,7 +70,7 @@ Json model_figures(const document::ShapePtr& shape) {
   if (!model) return nullptr;
   const auto info = document::model_info(*model, {});
   if (!info) return nullptr;
-  Json json{{"regions", info->regions}, {"shells", info->shells}, {"faces", info->faces}, {"edges", info->edges},
+  Json json{{"regions", info->regions},   {"shells", info->shells}, {"faces", info->faces}, {"edges", info->edges},
             {"vertices", info->vertices}, {"volume", info->volume}, {"area", info->area}};
   const auto findings = check(**model, CheckLevel::full);
   json["findings"] = findings ? Json(findings->size()) : Json(nullptr);
@@ -81,7 +82,8 @@ Json model_figures(const document::ShapePtr& shape) {
 Result<int> run_script(Program& program, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const bool standard_input = options.file == "-";
-  ARESTA_TRY(const std::string text, standard_input ? read_standard_input(program.context) : read_file(options.file, max_script_bytes));
+  ARESTA_TRY(const std::string text,
+             standard_input ? read_standard_input(program.context) : read_file(options.file, max_script_bytes));
 
   Lines printed;
   Json commands = Json::array();
@@ -99,7 +101,8 @@ Result<int> run_script(Program& program, const RunOptions& options) {
   document::ShapePtr last_shape;
   session.finished = [&](const document::Command& command, double seconds, const document::Value* result) {
     if (wants_summary) {
-      commands.push_back({{"line", interpreter.line()}, {"command", command.name}, {"seconds", seconds}, {"ok", result != nullptr}});
+      commands.push_back(
+          {{"line", interpreter.line()}, {"command", command.name}, {"seconds", seconds}, {"ok", result != nullptr}});
     }
     if (result != nullptr && result->is(document::Value::Kind::shape)) last_shape = result->shape();
   };
@@ -121,7 +124,8 @@ Result<int> run_script(Program& program, const RunOptions& options) {
     summary["model"] = model_figures(last_shape);
     const std::string json = json_text(summary);
     if (!options.summary_file.empty()) {
-      Status written = options.summary_file == "-" ? program.output.write(json) : write_file(options.summary_file, json);
+      Status written =
+          options.summary_file == "-" ? program.output.write(json) : write_file(options.summary_file, json);
       if (status && !written) status = std::move(written);
     }
     if (program.common.json) {

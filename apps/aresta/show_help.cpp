@@ -22,7 +22,8 @@ std::string overview(const document::Registry& registry) {
   for (const std::string& group : registry.groups()) {
     text += "\n" + group + "\n";
     for (const auto& [name, command] : registry.commands()) {
-      if (command.group == group) text += "  " + name + std::string(width - name.size() + 2, ' ') + first_sentence(command.doc) + "\n";
+      if (command.group == group)
+        text += "  " + name + std::string(width - name.size() + 2, ' ') + first_sentence(command.doc) + "\n";
     }
   }
   return text;
@@ -51,13 +52,15 @@ Result<int> show_help(Program& program, const HelpOptions& options) {
     return static_cast<int>(status_done);
   }
   if (const document::Constant* constant = registry.find_constant(options.command)) {
-    ARESTA_CHECK(program.output.write(constant->name + " = " + document::repr(constant->value) + "\n\n" + constant->doc + "\n"));
+    ARESTA_CHECK(
+        program.output.write(constant->name + " = " + document::repr(constant->value) + "\n\n" + constant->doc + "\n"));
     return static_cast<int>(status_done);
   }
   std::vector<std::string> names;
   for (const auto& [name, command] : registry.commands()) names.push_back(name);
   const std::string near = document::nearest_name(options.command, names);
-  return Error{usage_error, "there is no command '" + options.command + "'" + (near.empty() ? "; 'aresta help' lists all" : "; did you mean '" + near + "'?")};
+  return Error{usage_error, "there is no command '" + options.command + "'" +
+                                (near.empty() ? "; 'aresta help' lists all" : "; did you mean '" + near + "'?")};
 }
 
 }  // namespace aresta::app

@@ -41,7 +41,9 @@ void prepare_streams() {
   }
 }
 
-bool Output::is_terminal() const { return ::isatty(STDOUT_FILENO) == 1; }
+bool Output::is_terminal() const {
+  return ::isatty(STDOUT_FILENO) == 1;
+}
 
 Status Output::write(std::string_view text) {
   buffer_ += text;
@@ -56,8 +58,8 @@ Status Output::flush() {
   const int reason = errno;
   buffer_.clear();
   if (done) return {};
-  return Error{errors::file_unwritable,
-               std::string("cannot write to standard output: ") + (reason == EBADF ? "it is closed" : std::strerror(reason))};
+  return Error{errors::file_unwritable, std::string("cannot write to standard output: ") +
+                                            (reason == EBADF ? "it is closed" : std::strerror(reason))};
 }
 
 Result<std::string> read_standard_input(const Context& context) {
@@ -73,11 +75,12 @@ Result<std::string> read_standard_input(const Context& context) {
     if (n == 0) return text;
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) {
-      return Error{errors::file_unreadable,
-                   std::string("cannot read standard input: ") + (errno == EBADF ? "it is closed" : std::strerror(errno))};
+      return Error{errors::file_unreadable, std::string("cannot read standard input: ") +
+                                                (errno == EBADF ? "it is closed" : std::strerror(errno))};
     }
     text.append(buffer, static_cast<std::size_t>(n));
-    if (text.size() > (std::size_t{1} << 31)) return Error{errors::file_unreadable, "standard input is larger than 2 GB"};
+    if (text.size() > (std::size_t{1} << 31))
+      return Error{errors::file_unreadable, "standard input is larger than 2 GB"};
   }
 }
 
@@ -96,7 +99,8 @@ void show_progress(double fraction, std::string_view stage) {
   progress_time = now;
   progress_shown = true;
   char text[160];
-  std::snprintf(text, sizeof text, "\r\x1b[K%3.0f %% %.*s", 100 * fraction, static_cast<int>(std::min<std::size_t>(stage.size(), 70)), stage.data());
+  std::snprintf(text, sizeof text, "\r\x1b[K%3.0f %% %.*s", 100 * fraction,
+                static_cast<int>(std::min<std::size_t>(stage.size(), 70)), stage.data());
   static_cast<void>(write_all(STDERR_FILENO, text));
 }
 

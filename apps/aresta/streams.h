@@ -9,8 +9,8 @@
 
 namespace aresta::app {
 
-/// To be called first: a standard descriptor that the caller left closed is opened on nothing, so that no file takes its
-/// number; writing to a pipe without reader becomes an error instead of ending the program.
+/// To be called first: a standard descriptor that the caller left closed is opened on nothing, so that no file takes
+/// its number; writing to a pipe without reader becomes an error instead of ending the program.
 void prepare_streams();
 
 /// Buffered standard output.

@@ -11,7 +11,8 @@
 namespace aresta {
 
 struct Context {
-  /// Called with a fraction in [0, 1] of the running stage and its name; may be empty. Called from one thread at a time.
+  /// Called with a fraction in [0, 1] of the running stage and its name; may be empty. Called from one thread at a
+  /// time.
   std::function<void(double fraction, std::string_view stage)> progress = {};
   /// Set by another thread or a signal handler to ask the operation to stop; may be null.
   const std::atomic<bool>* cancel = nullptr;

@@ -15,8 +15,8 @@ namespace aresta {
 /// directly. Error: file_unwritable, with the path and the system's reason.
 Status write_file(const std::string& path, std::string_view data);
 
-/// All bytes of a file. Error: file_unreadable, with the path and the system's reason (a folder is not a file; more than
-/// `limit` bytes, as an endless device gives).
+/// All bytes of a file. Error: file_unreadable, with the path and the system's reason (a folder is not a file; more
+/// than `limit` bytes, as an endless device gives).
 Result<std::string> read_file(const std::string& path, std::size_t limit = std::size_t{1} << 33);
 
 }  // namespace aresta

@@ -35,7 +35,10 @@ Result<void*> load(const std::string& name) {
     if (void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return handle;
     reason = dlerror();
   }
-  return Error{errors::module_missing, "module " + name + " cannot be loaded: " + reason, {}, {},
+  return Error{errors::module_missing,
+               "module " + name + " cannot be loaded: " + reason,
+               {},
+               {},
                "set ARESTA_MODULE_PATH to the folder that holds " + file};
 }
 

@@ -96,14 +96,14 @@ using Status = Result<void>;
 
 /// ARESTA_TRY(auto x, f()): x is f()'s value; on error the enclosing function returns the error.
 #define ARESTA_TRY(target, expression) ARESTA_TRY_(ARESTA_CONCAT(aresta_try_, __LINE__), target, expression)
-#define ARESTA_TRY_(name, target, expression) \
-  auto name = (expression);                   \
+#define ARESTA_TRY_(name, target, expression)     \
+  auto name = (expression);                       \
   if (!name.ok()) return std::move(name).error(); \
   target = std::move(name).value()
 
 /// ARESTA_CHECK(f()): on error the enclosing function returns the error; the value, if any, is dropped.
-#define ARESTA_CHECK(expression) \
-  do {                           \
-    auto status_ = (expression); \
+#define ARESTA_CHECK(expression)                          \
+  do {                                                    \
+    auto status_ = (expression);                          \
     if (!status_.ok()) return std::move(status_).error(); \
   } while (false)

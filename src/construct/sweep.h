@@ -3,12 +3,12 @@
 // dimension.
 //
 // Contract. The profile holds faces (with holes, with edges and points inside), wires and isolated points, but no
-// regions. A curved face must move to one side of itself everywhere. Entities that share a boundary sweep to entities that share theirs, so that neighbouring faces become
-// regions with one common wall. Side faces are exact: a line gives a plane, cylinder or cone, an arc a cylinder, sphere
-// or torus where it can, anything else a free-form surface of extrusion or revolution that keeps the curve. Sweeps that
-// run into themselves are refused: by the profile's position, and for profiles of several entities by the full checker.
-// Provenance leads from each result entity to the profile's entity that made it. Names on request: "start" and "end"
-// for the two copies of a face, "side" for what edges sweep.
+// regions. A curved face must move to one side of itself everywhere. Entities that share a boundary sweep to entities
+// that share theirs, so that neighbouring faces become regions with one common wall. Side faces are exact: a line gives
+// a plane, cylinder or cone, an arc a cylinder, sphere or torus where it can, anything else a free-form surface of
+// extrusion or revolution that keeps the curve. Sweeps that run into themselves are refused: by the profile's position,
+// and for profiles of several entities by the full checker. Provenance leads from each result entity to the profile's
+// entity that made it. Names on request: "start" and "end" for the two copies of a face, "side" for what edges sweep.
 //
 // Errors: bad_size (arguments), bad_profile (what cannot be swept, named), sweep_overlaps.
 #pragma once

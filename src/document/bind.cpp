@@ -51,7 +51,8 @@ Status check_numbers(const Command& c, const Parameter& p, const std::string& pa
   return {};
 }
 
-Status check_point(const Command& c, const Parameter& p, const std::string& part, const Value& v, const char* expected) {
+Status check_point(const Command& c, const Parameter& p, const std::string& part, const Value& v,
+                   const char* expected) {
   if (!v.is_sequence() || v.items().size() != 3) return wrong_value(errors::command_type, c, p, part, expected, v);
   return check_numbers(c, p, part, v, 3, expected);
 }
@@ -71,7 +72,8 @@ Status check_loop(const Command& c, const Parameter& p, const std::string& part,
   for (std::size_t i = 0; i < v.items().size(); ++i) {
     const Value& n = v.items()[i];
     if (!n.is(Value::Kind::integer) || n.integer() < 0) {
-      return wrong_value(errors::command_type, c, p, part + "[" + std::to_string(i) + "]", "the number of a point, from 0", n);
+      return wrong_value(errors::command_type, c, p, part + "[" + std::to_string(i) + "]",
+                         "the number of a point, from 0", n);
     }
   }
   return {};
@@ -96,10 +98,14 @@ Status check(const Command& c, const Parameter& p, const std::string& part, cons
     return wrong_value(errors::command_type, c, p, part, type_text(p.type), v);
   };
   switch (p.type) {
-    case Type::any: return {};
-    case Type::boolean: return expect_kind(v.is(Kind::boolean));
-    case Type::integer: return check_number(c, p, part, v, true);
-    case Type::number: return check_number(c, p, part, v, false);
+    case Type::any:
+      return {};
+    case Type::boolean:
+      return expect_kind(v.is(Kind::boolean));
+    case Type::integer:
+      return check_number(c, p, part, v, true);
+    case Type::number:
+      return check_number(c, p, part, v, false);
     case Type::string: {
       ARESTA_CHECK(expect_kind(v.is(Kind::string)));
       if (!p.choices.empty() && std::find(p.choices.begin(), p.choices.end(), v.string()) == p.choices.end()) {
@@ -111,9 +117,12 @@ Status check(const Command& c, const Parameter& p, const std::string& part, cons
       }
       return {};
     }
-    case Type::sequence: return expect_kind(v.is_sequence() || v.is(Kind::range));
-    case Type::numbers: return check_numbers(c, p, part, v, p.size, "a list");
-    case Type::point: return check_point(c, p, part, v, type_text(Type::point));
+    case Type::sequence:
+      return expect_kind(v.is_sequence() || v.is(Kind::range));
+    case Type::numbers:
+      return check_numbers(c, p, part, v, p.size, "a list");
+    case Type::point:
+      return check_point(c, p, part, v, type_text(Type::point));
     case Type::direction: {
       ARESTA_CHECK(check_point(c, p, part, v, type_text(Type::direction)));
       const auto& d = v.items();
@@ -122,7 +131,8 @@ Status check(const Command& c, const Parameter& p, const std::string& part, cons
       }
       return {};
     }
-    case Type::points: return check_points(c, p, part, v);
+    case Type::points:
+      return check_points(c, p, part, v);
     case Type::point_lists: {
       ARESTA_CHECK(expect_kind(v.is_sequence()));
       const auto& items = v.items();
@@ -147,18 +157,23 @@ Status check(const Command& c, const Parameter& p, const std::string& part, cons
       }
       return {};
     }
-    case Type::shape: return expect_kind(v.is(Kind::shape));
+    case Type::shape:
+      return expect_kind(v.is(Kind::shape));
     case Type::shape_or_point: {
       if (v.is(Kind::shape)) return {};
       return check_point(c, p, part, v, type_text(Type::shape_or_point));
     }
-    case Type::shapes: return check_shapes(c, p, part, v);
-    case Type::command: return expect_kind(v.is(Kind::command));
+    case Type::shapes:
+      return check_shapes(c, p, part, v);
+    case Type::command:
+      return expect_kind(v.is(Kind::command));
   }
   return {};
 }
 
-bool may_be_none(const Parameter& p) { return p.default_value && p.default_value->is_none(); }
+bool may_be_none(const Parameter& p) {
+  return p.default_value && p.default_value->is_none();
+}
 
 }  // namespace
 

@@ -14,7 +14,8 @@ namespace aresta::document {
 namespace {
 
 const Parameter shape{.name = "x", .type = Type::shape};
-const Parameter kind{.name = "kind", .type = Type::string, .default_value = "face", .choices = {"vertex", "edge", "face", "region"}};
+const Parameter kind{
+    .name = "kind", .type = Type::string, .default_value = "face", .choices = {"vertex", "edge", "face", "region"}};
 
 EntityKind kind_of(const std::string& name) {
   for (const EntityKind k : {EntityKind::vertex, EntityKind::edge, EntityKind::face}) {
@@ -23,7 +24,9 @@ EntityKind kind_of(const std::string& name) {
   return EntityKind::region;
 }
 
-Result<ModelShapePtr> x_of(Call& call) { return model_shape(call, call.shape("x"), "x"); }
+Result<ModelShapePtr> x_of(Call& call) {
+  return model_shape(call, call.shape("x"), "x");
+}
 
 Result<Value> entities(Call& call, EntityKind of) {
   ARESTA_TRY(const ModelShapePtr x, x_of(call));
@@ -62,7 +65,9 @@ Result<Value> named_part(Call& call) {
   }
   if (!parts.empty()) return Value(ShapePtr(std::make_shared<const ModelShape>(std::move(parts))));
   const std::string near = nearest_name(name, names);
-  Error error{.code = errors::unknown_entity, .message = "part: nothing in the shape has the name '" + name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?")};
+  Error error{.code = errors::unknown_entity,
+              .message = "part: nothing in the shape has the name '" + name + "'" +
+                         (near.empty() ? "" : "; did you mean '" + near + "'?")};
   if (names.empty()) error.hint = "name(entity, \"" + name + "\") first";
   return error;
 }
@@ -106,7 +111,8 @@ Result<Value> set_attribute(Call& call) {
   } else if (v.is(Value::Kind::string)) {
     value = v.string();
   } else {
-    return Error{errors::command_type, "attribute: value must be a number, a text, True or False, not " + given_text(v)};
+    return Error{errors::command_type,
+                 "attribute: value must be a number, a text, True or False, not " + given_text(v)};
   }
   ARESTA_CHECK(set_label(call, call.string("key"), value));
   return call["x"];
@@ -125,7 +131,8 @@ Result<Value> attributes_of(Call& call) {
       if (found == part.model->labels.attributes.end()) continue;
       for (const auto& [key, value] : found->second) {
         Value pair = Value::tuple({Value(key), value_of(value)});
-        if (std::none_of(list.begin(), list.end(), [&](const Value& v) { return equal(v, pair); })) list.push_back(std::move(pair));
+        if (std::none_of(list.begin(), list.end(), [&](const Value& v) { return equal(v, pair); }))
+          list.push_back(std::move(pair));
       }
     }
   }
@@ -173,7 +180,9 @@ Result<Value> change_group(Call& call, bool add) {
     for (Part& part : parts) {
       for (const Part& gone : change) {
         if (gone.model != part.model) continue;
-        std::erase_if(part.entities, [&](EntityRef e) { return std::find(gone.entities.begin(), gone.entities.end(), e) != gone.entities.end(); });
+        std::erase_if(part.entities, [&](EntityRef e) {
+          return std::find(gone.entities.begin(), gone.entities.end(), e) != gone.entities.end();
+        });
       }
     }
   }
@@ -235,9 +244,15 @@ Result<Value> images(Call& call) {
   return Value::list({});
 }
 
-Command access(std::string name, std::vector<Parameter> parameters, std::string returns, std::string doc, std::string example, Function function) {
-  return {.name = std::move(name), .group = "access", .parameters = std::move(parameters), .returns = std::move(returns),
-          .doc = std::move(doc), .example = std::move(example), .function = std::move(function)};
+Command access(std::string name, std::vector<Parameter> parameters, std::string returns, std::string doc,
+               std::string example, Function function) {
+  return {.name = std::move(name),
+          .group = "access",
+          .parameters = std::move(parameters),
+          .returns = std::move(returns),
+          .doc = std::move(doc),
+          .example = std::move(example),
+          .function = std::move(function)};
 }
 
 }  // namespace
@@ -247,49 +262,76 @@ void register_access(Registry& r) {
     const char* name;
     EntityKind kind;
     const char* doc;
-  } kinds[] = {{"faces", EntityKind::face, "The faces of a shape; of a region those that bound it and those inside it."},
-               {"edges", EntityKind::edge, "The edges of a shape."},
-               {"vertices", EntityKind::vertex, "The vertices of a shape."},
-               {"regions", EntityKind::region, "The regions of a shape."}};
+  } kinds[] = {
+      {"faces", EntityKind::face, "The faces of a shape; of a region those that bound it and those inside it."},
+      {"edges", EntityKind::edge, "The edges of a shape."},
+      {"vertices", EntityKind::vertex, "The vertices of a shape."},
+      {"regions", EntityKind::region, "The regions of a shape."}};
   for (const auto& k : kinds) {
-    r.add(access(k.name, {shape}, "a list of shapes of the same model", k.doc, std::string("len(") + k.name + "(block(1, 1, 1)))",
+    r.add(access(k.name, {shape}, "a list of shapes of the same model", k.doc,
+                 std::string("len(") + k.name + "(block(1, 1, 1)))",
                  [of = k.kind](Call& c) { return entities(c, of); }));
   }
-  r.add(access("components", {shape}, "a list of shapes", "The connected parts of a shape: what touches is one part.", "len(components(section(x, (0, 0, 1), (0, 0, 1))))",
-               [](Call& c) -> Result<Value> {
+  r.add(access("components", {shape}, "a list of shapes", "The connected parts of a shape: what touches is one part.",
+               "len(components(section(x, (0, 0, 1), (0, 0, 1))))", [](Call& c) -> Result<Value> {
                  ARESTA_TRY(const ModelShapePtr x, x_of(c));
                  std::vector<Value> list;
                  for (const Part& part : x->parts()) {
-                   for (auto& entities_of_one : components(part)) list.emplace_back(shape_of(part.model, std::move(entities_of_one)));
+                   for (auto& entities_of_one : components(part))
+                     list.emplace_back(shape_of(part.model, std::move(entities_of_one)));
                  }
                  return Value::list(std::move(list));
                }));
   const Parameter name{.name = "name", .type = Type::string};
-  r.add(access("part", {shape, name}, "a shape", "What in a shape has a name, or is in the group of that name.", "part(plate, \"top\")", named_part));
-  r.add(access("nearest", {shape, {.name = "point", .type = Type::point, .unit = "length"}, kind}, "a shape of one entity",
-               "The entity of a shape nearest to a point.", "nearest(block(1, 1, 1), (0.5, 0.5, 2), \"face\")", nearest_entity));
-  r.add(access("name", {shape, {.name = "text", .type = Type::string}}, "the shape", "Gives the entities of a shape a name.",
-               "name(nearest(b, (0, 0, 9), \"face\"), \"top\")", [](Call& c) -> Result<Value> {
+  r.add(access("part", {shape, name}, "a shape", "What in a shape has a name, or is in the group of that name.",
+               "part(plate, \"top\")", named_part));
+  r.add(access("nearest", {shape, {.name = "point", .type = Type::point, .unit = "length"}, kind},
+               "a shape of one entity", "The entity of a shape nearest to a point.",
+               "nearest(block(1, 1, 1), (0.5, 0.5, 2), \"face\")", nearest_entity));
+  r.add(access("name", {shape, {.name = "text", .type = Type::string}}, "the shape",
+               "Gives the entities of a shape a name.", "name(nearest(b, (0, 0, 9), \"face\"), \"top\")",
+               [](Call& c) -> Result<Value> {
                  ARESTA_CHECK(set_label(c, "name", c.string("text")));
                  return c["x"];
                }));
-  r.add(access("attribute", {shape, {.name = "key", .type = Type::string}, {.name = "value", .type = Type::any, .doc = "a number, a text, True or False"}},
-               "the shape", "Gives the entities of a shape an attribute.", "attribute(b, \"material\", \"steel\")", set_attribute));
-  r.add(access("attributes", {shape}, "a list of pairs (key, value)", "The attributes of the entities of a shape, the name among them.",
-               "attributes(part(b, \"top\"))", attributes_of));
-  r.add(access("origin", {shape}, "a list of shapes", "The entities that those of a shape came from, in the last operation.", "origin(faces(a + b)[0])", origin_of));
-  r.add(access("images", {shape, {.name = "result", .type = Type::shape, .doc = "of operations on what x is of; left out: the latest", .default_value = Value()}}, "a list of shapes",
-               "The entities of a result that came from those of a shape.", "images(part(a, \"top\"), union(a, b))", images));
+  r.add(access("attribute",
+               {shape,
+                {.name = "key", .type = Type::string},
+                {.name = "value", .type = Type::any, .doc = "a number, a text, True or False"}},
+               "the shape", "Gives the entities of a shape an attribute.", "attribute(b, \"material\", \"steel\")",
+               set_attribute));
+  r.add(access("attributes", {shape}, "a list of pairs (key, value)",
+               "The attributes of the entities of a shape, the name among them.", "attributes(part(b, \"top\"))",
+               attributes_of));
+  r.add(access("origin", {shape}, "a list of shapes",
+               "The entities that those of a shape came from, in the last operation.", "origin(faces(a + b)[0])",
+               origin_of));
+  r.add(access("images",
+               {shape,
+                {.name = "result",
+                 .type = Type::shape,
+                 .doc = "of operations on what x is of; left out: the latest",
+                 .default_value = Value()}},
+               "a list of shapes", "The entities of a result that came from those of a shape.",
+               "images(part(a, \"top\"), union(a, b))", images));
   const Parameter shapes{.name = "shapes", .type = Type::shapes, .variadic = true};
   const Parameter group{.name = "group", .type = Type::shape};
-  Command make = access("group", {shapes, {.name = "name", .type = Type::string, .doc = "carried on to results, meshes and files", .default_value = "", .keyword_only = true}},
-                        "a shape that lists all of them", "Takes any entities, of several models too, as one operand.", "group(solid, wire, name=\"A\")", make_group);
+  Command make = access("group",
+                        {shapes,
+                         {.name = "name",
+                          .type = Type::string,
+                          .doc = "carried on to results, meshes and files",
+                          .default_value = "",
+                          .keyword_only = true}},
+                        "a shape that lists all of them", "Takes any entities, of several models too, as one operand.",
+                        "group(solid, wire, name=\"A\")", make_group);
   make.group = "groups";
   r.add(std::move(make));
   for (const bool add : {true, false}) {
     Command change = access(add ? "group_add" : "group_remove", {group, shapes}, "the new group",
                             add ? "A group with more in it." : "A group with less in it.",
-                            add ? "a = group_add(a, faces(b))" : "a = group_remove(a, faces(b))", [add](Call& c) { return change_group(c, add); });
+                            add ? "a = group_add(a, faces(b))" : "a = group_remove(a, faces(b))",
+                            [add](Call& c) { return change_group(c, add); });
     change.group = "groups";
     r.add(std::move(change));
   }

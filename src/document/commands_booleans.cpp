@@ -20,24 +20,47 @@ namespace aresta::document {
 
 namespace {
 
-const Parameter regularise{.name = "regularise", .type = Type::boolean, .doc = "keep solids only: no dangling faces, wires or inner walls", .default_value = false, .keyword_only = true};
-const Parameter keep_partitions{.name = "keep_partitions", .type = Type::boolean, .doc = "with regularise: keep the faces between adjoining regions", .default_value = false, .keyword_only = true};
-const Parameter internals{.name = "internals", .type = Type::boolean, .doc = "bring what regions have inside: sheets, wires, points", .default_value = true, .keyword_only = true};
-const std::vector<ErrorCode> boolean_errors = {errors::regions_overlap, errors::empty_group, errors::inconsistent_result, errors::imprint_failed, errors::not_conserved, errors::invalid_model};
+const Parameter regularise{.name = "regularise",
+                           .type = Type::boolean,
+                           .doc = "keep solids only: no dangling faces, wires or inner walls",
+                           .default_value = false,
+                           .keyword_only = true};
+const Parameter keep_partitions{.name = "keep_partitions",
+                                .type = Type::boolean,
+                                .doc = "with regularise: keep the faces between adjoining regions",
+                                .default_value = false,
+                                .keyword_only = true};
+const Parameter internals{.name = "internals",
+                          .type = Type::boolean,
+                          .doc = "bring what regions have inside: sheets, wires, points",
+                          .default_value = true,
+                          .keyword_only = true};
+const std::vector<ErrorCode> boolean_errors = {errors::regions_overlap,     errors::empty_group,
+                                               errors::inconsistent_result, errors::imprint_failed,
+                                               errors::not_conserved,       errors::invalid_model};
 
-bool is_half_space(const ShapePtr& s) { return dynamic_cast<const HalfSpaceShape*>(s.get()) != nullptr; }
+bool is_half_space(const ShapePtr& s) {
+  return dynamic_cast<const HalfSpaceShape*>(s.get()) != nullptr;
+}
 
 /// An empty model: what a union with nothing is made with.
-Result<Model> nothing(const Context& context) { return ModelBuilder().build(context); }
+Result<Model> nothing(const Context& context) {
+  return ModelBuilder().build(context);
+}
 
-bool holds_nothing(const GroupSpec& group) { return group.members.empty(); }
+bool holds_nothing(const GroupSpec& group) {
+  return group.members.empty();
+}
 
 /// Operands without anything in them are no trouble: they are dropped, and what is left may need no operation at all.
 Result<Value> run_boolean(Call& call, BooleanKind kind, const std::vector<ShapePtr>& shapes) {
-  const bool bounded = kind == BooleanKind::intersect ? !std::all_of(shapes.begin(), shapes.end(), is_half_space)
+  const bool bounded = kind == BooleanKind::intersect  ? !std::all_of(shapes.begin(), shapes.end(), is_half_space)
                        : kind == BooleanKind::subtract ? !is_half_space(shapes[0])
                                                        : std::none_of(shapes.begin(), shapes.end(), is_half_space);
-  if (!bounded) return Error{errors::command_type, call.command().name + ": the result would reach to infinity: a half-space can only be intersected with or subtracted"};
+  if (!bounded)
+    return Error{errors::command_type,
+                 call.command().name +
+                     ": the result would reach to infinity: a half-space can only be intersected with or subtracted"};
 
   ARESTA_TRY(Operands operands, gather_operands(call, shapes));
   for (GroupSpec& g : operands.groups) g.internals = call.boolean("internals");
@@ -65,7 +88,9 @@ Result<Value> two_operands(Call& call, BooleanKind kind) {
 Result<Value> many_operands(Call& call, BooleanKind kind) {
   const std::vector<ShapePtr> shapes = call.shapes("shapes");
   if (shapes.size() < 2) {
-    return Error{errors::empty_group, call.command().name + " takes at least two shapes, " + std::to_string(shapes.size()) + (shapes.size() == 1 ? " was given" : " were given")};
+    return Error{errors::empty_group, call.command().name + " takes at least two shapes, " +
+                                          std::to_string(shapes.size()) +
+                                          (shapes.size() == 1 ? " was given" : " were given")};
   }
   return run_boolean(call, kind, shapes);
 }
@@ -82,7 +107,8 @@ bool share_nothing(const std::vector<Part>& parts) {
 }
 
 /// The shapes as models that hold nothing but what is listed, each once; empty ones left out.
-Result<std::vector<std::shared_ptr<const Model>>> models_of(Call& call, const std::vector<ShapePtr>& shapes, const std::string& parameter) {
+Result<std::vector<std::shared_ptr<const Model>>> models_of(Call& call, const std::vector<ShapePtr>& shapes,
+                                                            const std::string& parameter) {
   // Entities of one model stay together, so that what they share stays shared.
   std::vector<Part> parts;
   for (const ShapePtr& s : shapes) {
@@ -91,7 +117,8 @@ Result<std::vector<std::shared_ptr<const Model>>> models_of(Call& call, const st
   }
   const ModelShape all(parts);
   std::vector<std::shared_ptr<const Model>> models;
-  // Shapes that are components of one model (which may not know that they touch, as in a file) are apart from the start.
+  // Shapes that are components of one model (which may not know that they touch, as in a file) are apart from the
+  // start.
   const bool apart = all.parts().size() < parts.size() && share_nothing(parts);
   for (const Part& part : apart ? parts : all.parts()) {
     ARESTA_TRY(std::shared_ptr<Model> model, as_model(ModelShape({part}), call.context()));
@@ -105,7 +132,8 @@ Result<Value> make_fragment(Call& call, const std::string& parameter) {
   ARESTA_TRY(std::vector<std::shared_ptr<const Model>> models, models_of(call, call.shapes(parameter), parameter));
   if (models.empty()) return made(nothing(call.context()));
   if (models.size() == 1) {
-    // Nothing to imprint: a model's own entities meet in shared ones already. Spaces that sheets enclose become regions.
+    // Nothing to imprint: a model's own entities meet in shared ones already. Spaces that sheets enclose become
+    // regions.
     const bool solid = !models[0]->regions().empty();
     if (!solid) return made(detect_regions(models[0]));
     return made(Model(*models[0]));
@@ -174,7 +202,8 @@ Result<CuttingPlane> cutting_plane(Call& call, const Model& model) {
   const Vec3 middle = box.empty() ? plane.point : box.centre();
   const Frame frame = Frame::along(middle - dot(middle - plane.point, plane.normal) * plane.normal, plane.normal);
   const double reach = box.diagonal() + 1;
-  const std::array<Vec3, 4> corners = {frame.to_world({-reach, -reach, 0}), frame.to_world({reach, -reach, 0}), frame.to_world({reach, reach, 0}), frame.to_world({-reach, reach, 0})};
+  const std::array<Vec3, 4> corners = {frame.to_world({-reach, -reach, 0}), frame.to_world({reach, -reach, 0}),
+                                       frame.to_world({reach, reach, 0}), frame.to_world({-reach, reach, 0})};
   ARESTA_TRY(Model square, polygon(corners, {}, construct_options(call)));
   plane.square = std::make_shared<const Model>(std::move(square));
   return plane;
@@ -183,7 +212,8 @@ Result<CuttingPlane> cutting_plane(Call& call, const Model& model) {
 /// A point of an entity that shows on which side of a plane it lies, when the plane does not cross it.
 Result<Vec3> point_of(const Model& model, EntityRef e) {
   switch (e.kind) {
-    case EntityKind::vertex: return model.point(VertexId(e.index));
+    case EntityKind::vertex:
+      return model.point(VertexId(e.index));
     case EntityKind::edge: {
       const Range range = model.range(EdgeId(e.index));
       return model.edge_point(EdgeId(e.index), 0.5 * (range.low + range.high));
@@ -192,7 +222,8 @@ Result<Vec3> point_of(const Model& model, EntityRef e) {
       ARESTA_TRY(const Vec2 uv, FaceTrim(model, FaceId(e.index)).interior_point());
       return model.surface(FaceId(e.index)).point(uv);
     }
-    case EntityKind::region: return interior_point(model, RegionId(e.index));
+    case EntityKind::region:
+      return interior_point(model, RegionId(e.index));
   }
   return Vec3{};
 }
@@ -202,7 +233,8 @@ Result<Vec3> point_of(const Model& model, EntityRef e) {
 Result<Value> cut_shape(Call& call) {
   ARESTA_TRY(const ModelShapePtr x, model_shape(call, call.shape("x"), "x"));
   ARESTA_TRY(const std::shared_ptr<Model> model, as_model(*x, call.context()));
-  if (model->topology().vertex_count() == 0) return Value::tuple({Value(whole_shape(model)), Value(whole_shape(model))});
+  if (model->topology().vertex_count() == 0)
+    return Value::tuple({Value(whole_shape(model)), Value(whole_shape(model))});
   ARESTA_TRY(const CuttingPlane plane, cutting_plane(call, *model));
   FragmentOptions options;
   options.tolerance = call.session().tolerance;
@@ -214,7 +246,8 @@ Result<Value> cut_shape(Call& call) {
   for (const EntityRef e : all->listed()) {
     if (e.kind != EntityKind::region) {
       const auto parents = pieces.parents(e);
-      const bool of_shape = std::any_of(parents.begin(), parents.end(), [&](const Parent& p) { return p.source == 0 && p.entity.kind == e.kind; });
+      const bool of_shape = std::any_of(parents.begin(), parents.end(),
+                                        [&](const Parent& p) { return p.source == 0 && p.entity.kind == e.kind; });
       if (!of_shape) continue;
     }
     ARESTA_TRY(const Vec3 p, point_of(*all, e));
@@ -245,51 +278,107 @@ Result<Value> section_shape(Call& call) {
   return made(std::move(result->model));
 }
 
-Command operation(std::string name, std::vector<Parameter> parameters, std::string doc, std::string example, Function function) {
+Command operation(std::string name, std::vector<Parameter> parameters, std::string doc, std::string example,
+                  Function function) {
   for (const Parameter& p : {regularise, keep_partitions, internals}) parameters.push_back(p);
-  return {.name = std::move(name), .group = "booleans", .parameters = std::move(parameters), .returns = "a new shape; the operands stay as they are",
-          .doc = std::move(doc), .example = std::move(example), .errors = boolean_errors, .function = std::move(function)};
+  return {.name = std::move(name),
+          .group = "booleans",
+          .parameters = std::move(parameters),
+          .returns = "a new shape; the operands stay as they are",
+          .doc = std::move(doc),
+          .example = std::move(example),
+          .errors = boolean_errors,
+          .function = std::move(function)};
 }
 
 }  // namespace
 
 void register_booleans(Registry& r) {
-  const Parameter many{.name = "shapes", .type = Type::shapes, .doc = "solids, sheets, wires, points, entities of them, or groups", .variadic = true};
+  const Parameter many{.name = "shapes",
+                       .type = Type::shapes,
+                       .doc = "solids, sheets, wires, points, entities of them, or groups",
+                       .variadic = true};
   const Parameter a{.name = "a", .type = Type::shape}, b{.name = "b", .type = Type::shape};
-  r.add(operation("union", {many}, "What is in any of the shapes; a + b is the regularised one. All shapes are decided at once, so that their order does not matter.",
-                  "union(block(2, 2, 2), cylinder(1, 3))", [](Call& c) { return many_operands(c, BooleanKind::unite); }));
-  r.add(operation("intersection", {many}, "What is in all of the shapes; a & b is the regularised one.", "intersection(block(2, 2, 2), sphere(1))",
+  r.add(operation("union", {many},
+                  "What is in any of the shapes; a + b is the regularised one. All shapes are decided at once, so that "
+                  "their order does not matter.",
+                  "union(block(2, 2, 2), cylinder(1, 3))",
+                  [](Call& c) { return many_operands(c, BooleanKind::unite); }));
+  r.add(operation("intersection", {many}, "What is in all of the shapes; a & b is the regularised one.",
+                  "intersection(block(2, 2, 2), sphere(1))",
                   [](Call& c) { return many_operands(c, BooleanKind::intersect); }));
-  r.add(operation("difference", {a, b}, "What is in a and not in b; a - b is the regularised one.", "difference(block(2, 2, 2), cylinder(1, 3))",
+  r.add(operation("difference", {a, b}, "What is in a and not in b; a - b is the regularised one.",
+                  "difference(block(2, 2, 2), cylinder(1, 3))",
                   [](Call& c) { return two_operands(c, BooleanKind::subtract); }));
-  r.add(operation("symmetric_difference", {a, b}, "What is in one of the two and not in the other.", "symmetric_difference(block(2, 2, 2), cylinder(1, 3))",
+  r.add(operation("symmetric_difference", {a, b}, "What is in one of the two and not in the other.",
+                  "symmetric_difference(block(2, 2, 2), cylinder(1, 3))",
                   [](Call& c) { return two_operands(c, BooleanKind::symmetric_difference); }));
-  r.add({.name = "fragment", .group = "booleans", .parameters = {many}, .returns = "a shape in which everything meets only in shared faces, edges and vertices",
-         .doc = "Imprints all shapes on one another, finds all regions and keeps all of them.", .example = "fragment(block(2, 2, 2), cylinder(1, 3))",
+  r.add({.name = "fragment",
+         .group = "booleans",
+         .parameters = {many},
+         .returns = "a shape in which everything meets only in shared faces, edges and vertices",
+         .doc = "Imprints all shapes on one another, finds all regions and keeps all of them.",
+         .example = "fragment(block(2, 2, 2), cylinder(1, 3))",
          .errors = {errors::no_operands, errors::imprint_failed, errors::label_conflict, errors::not_conserved},
          .function = [](Call& c) { return make_fragment(c, "shapes"); }});
-  r.add({.name = "detect_regions", .group = "booleans", .parameters = {{.name = "faces", .type = Type::shapes, .doc = "sheets, or faces of models", .variadic = true}},
-         .returns = "a shape with a region in every space that they enclose", .doc = "Finds the regions that faces enclose.",
-         .example = "detect_regions(faces(block(1, 1, 1)))", .errors = {errors::imprint_failed},
+  r.add({.name = "detect_regions",
+         .group = "booleans",
+         .parameters = {{.name = "faces", .type = Type::shapes, .doc = "sheets, or faces of models", .variadic = true}},
+         .returns = "a shape with a region in every space that they enclose",
+         .doc = "Finds the regions that faces enclose.",
+         .example = "detect_regions(faces(block(1, 1, 1)))",
+         .errors = {errors::imprint_failed},
          .function = [](Call& c) { return make_fragment(c, "faces"); }});
-  r.add({.name = "simplify", .group = "booleans", .parameters = {{.name = "x", .type = Type::shape}}, .returns = "a new shape of the same points",
-         .doc = "Merges neighbouring faces on one surface and edges on one curve, where nothing else needs what is between them.",
-         .example = "simplify(block(1, 1, 1) + block(1, 1, 1, at=(1, 0, 0)))", .function = simplify_shape});
+  r.add({.name = "simplify",
+         .group = "booleans",
+         .parameters = {{.name = "x", .type = Type::shape}},
+         .returns = "a new shape of the same points",
+         .doc = "Merges neighbouring faces on one surface and edges on one curve, where nothing else needs what is "
+                "between them.",
+         .example = "simplify(block(1, 1, 1) + block(1, 1, 1, at=(1, 0, 0)))",
+         .function = simplify_shape});
   const Parameter x{.name = "x", .type = Type::shape};
   const Parameter point{.name = "point", .type = Type::point, .doc = "on the plane", .unit = "length"};
   const Parameter normal{.name = "normal", .type = Type::direction, .doc = "points to the side above"};
-  r.add({.name = "cut", .group = "cutting", .parameters = {x, point, normal}, .returns = "a pair of shapes: what is above the plane and what is below",
-         .doc = "Cuts a shape in two by a plane.", .example = "above, below = cut(sphere(1), (0, 0, 0), (0, 0, 1))", .errors = boolean_errors, .function = cut_shape});
-  r.add({.name = "section", .group = "cutting", .parameters = {x, point, normal}, .returns = "a shape of faces, edges and vertices in the plane",
-         .doc = "What of a shape lies in a plane.", .example = "area(section(sphere(1), (0, 0, 0), (0, 0, 1)))", .errors = boolean_errors, .function = section_shape});
-  const Parameter kind{.name = "kind", .type = Type::string, .doc = "only entities of this kind", .default_value = Value(), .choices = {"vertex", "edge", "face"}};
+  r.add({.name = "cut",
+         .group = "cutting",
+         .parameters = {x, point, normal},
+         .returns = "a pair of shapes: what is above the plane and what is below",
+         .doc = "Cuts a shape in two by a plane.",
+         .example = "above, below = cut(sphere(1), (0, 0, 0), (0, 0, 1))",
+         .errors = boolean_errors,
+         .function = cut_shape});
+  r.add({.name = "section",
+         .group = "cutting",
+         .parameters = {x, point, normal},
+         .returns = "a shape of faces, edges and vertices in the plane",
+         .doc = "What of a shape lies in a plane.",
+         .example = "area(section(sphere(1), (0, 0, 0), (0, 0, 1)))",
+         .errors = boolean_errors,
+         .function = section_shape});
+  const Parameter kind{.name = "kind",
+                       .type = Type::string,
+                       .doc = "only entities of this kind",
+                       .default_value = Value(),
+                       .choices = {"vertex", "edge", "face"}};
   Parameter face_kind = kind;
   face_kind.default_value = "face";
-  r.add({.name = "classes", .group = "measures", .parameters = {a, b, kind}, .returns = "a list of pairs (entity, class)",
-         .doc = "The class of every vertex, edge and face of two shapes against the other: AoutB, BoutA, INTERS, AinB, BinA.",
-         .example = "for f, c in classes(a, b, kind=\"face\"): print(c, area(f))", .errors = boolean_errors, .function = [](Call& c) { return classes_of(c, false); }});
-  r.add({.name = "class_counts", .group = "measures", .parameters = {a, b, face_kind}, .returns = "a list of pairs (class, number)",
-         .doc = "How many faces (or edges, or vertices) of two shapes are of each class.", .example = "class_counts(a, b)", .errors = boolean_errors,
+  r.add({.name = "classes",
+         .group = "measures",
+         .parameters = {a, b, kind},
+         .returns = "a list of pairs (entity, class)",
+         .doc = "The class of every vertex, edge and face of two shapes against the other: AoutB, BoutA, INTERS, AinB, "
+                "BinA.",
+         .example = "for f, c in classes(a, b, kind=\"face\"): print(c, area(f))",
+         .errors = boolean_errors,
+         .function = [](Call& c) { return classes_of(c, false); }});
+  r.add({.name = "class_counts",
+         .group = "measures",
+         .parameters = {a, b, face_kind},
+         .returns = "a list of pairs (class, number)",
+         .doc = "How many faces (or edges, or vertices) of two shapes are of each class.",
+         .example = "class_counts(a, b)",
+         .errors = boolean_errors,
          .function = [](Call& c) { return classes_of(c, true); }});
 }
 

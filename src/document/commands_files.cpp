@@ -20,7 +20,11 @@ namespace aresta::document {
 namespace {
 
 const Parameter path{.name = "path", .type = Type::string};
-const Parameter file_format{.name = "format", .type = Type::string, .doc = "in place of what the path's ending says", .default_value = "", .keyword_only = true};
+const Parameter file_format{.name = "format",
+                            .type = Type::string,
+                            .doc = "in place of what the path's ending says",
+                            .default_value = "",
+                            .keyword_only = true};
 
 /// "png" of "a/b.PNG"; empty when there is none.
 std::string ending(const std::string& file) {
@@ -33,8 +37,12 @@ std::string ending(const std::string& file) {
   return text;
 }
 
-bool is_mesh_format(const std::string& f) { return f == "msh" || f == "vtu" || f == "inp"; }
-bool is_picture_format(const std::string& f) { return f == "png" || f == "svg" || f == "html"; }
+bool is_mesh_format(const std::string& f) {
+  return f == "msh" || f == "vtu" || f == "inp";
+}
+bool is_picture_format(const std::string& f) {
+  return f == "png" || f == "svg" || f == "html";
+}
 
 std::string format_of_call(Call& call) {
   const std::string& given = call.string("format");
@@ -68,10 +76,14 @@ Result<Value> export_shape(Call& call) {
   }
   ARESTA_TRY(const ModelShapePtr x, model_shape(call, call.shape("x"), "x"));
   if (is_mesh_format(format) || format == "msh2") {
-    return Error{.code = errors::command_type, .message = "export: '" + format + "' is a format of meshes, and this is <" + x->describe() + ">", .hint = "export(mesh(x, size=1), \"" + file + "\")"};
+    return Error{.code = errors::command_type,
+                 .message = "export: '" + format + "' is a format of meshes, and this is <" + x->describe() + ">",
+                 .hint = "export(mesh(x, size=1), \"" + file + "\")"};
   }
   if (is_picture_format(format)) {
-    return Error{.code = errors::command_type, .message = "export: '" + format + "' is a picture", .hint = "render(x, \"" + file + "\")"};
+    return Error{.code = errors::command_type,
+                 .message = "export: '" + format + "' is a picture",
+                 .hint = "render(x, \"" + file + "\")"};
   }
   ARESTA_TRY(const std::shared_ptr<Model> model, as_model(*x, call.context()));
   ExportOptions options;
@@ -96,12 +108,16 @@ Result<Value> make_mesh(Call& call) {
 
 Result<Value> mesh_quality(Call& call) {
   const auto* m = dynamic_cast<const MeshShape*>(call.shape("m").get());
-  if (m == nullptr) return Error{errors::command_type, "quality: m must be a mesh, not <" + call.shape("m")->describe() + ">"};
+  if (m == nullptr)
+    return Error{errors::command_type, "quality: m must be a mesh, not <" + call.shape("m")->describe() + ">"};
   const QualityReport report = quality_report(m->mesh(), m->mesh().element_count(3) > 0 ? 3 : 2);
   const auto pair = [](const char* name, Value v) { return Value::tuple({Value(name), std::move(v)}); };
-  return Value::list({pair("elements", Value(static_cast<std::int64_t>(report.elements))), pair("inverted", Value(static_cast<std::int64_t>(report.inverted))),
-                      pair("smallest angle", Value(report.worst.smallest_angle)), pair("mean smallest angle", Value(report.mean_smallest_angle)),
-                      pair("largest angle", Value(report.worst.largest_angle)), pair("worst aspect ratio", Value(report.worst.aspect_ratio)),
+  return Value::list({pair("elements", Value(static_cast<std::int64_t>(report.elements))),
+                      pair("inverted", Value(static_cast<std::int64_t>(report.inverted))),
+                      pair("smallest angle", Value(report.worst.smallest_angle)),
+                      pair("mean smallest angle", Value(report.mean_smallest_angle)),
+                      pair("largest angle", Value(report.worst.largest_angle)),
+                      pair("worst aspect ratio", Value(report.worst.aspect_ratio)),
                       pair("worst scaled Jacobian", Value(report.worst.scaled_jacobian))});
 }
 
@@ -123,11 +139,15 @@ Result<Value> render_shape(Call& call) {
   options.explode = call.number("explode");
   const draw::Coloring coloring = call.string("coloring") == "faces" ? draw::Coloring::faces : draw::Coloring::regions;
   if (format == "svg") {
-    ARESTA_CHECK(draw::write_svg(scene, {.view = options, .hidden_lines = call.boolean("hidden_lines")}, file, call.context()));
+    ARESTA_CHECK(
+        draw::write_svg(scene, {.view = options, .hidden_lines = call.boolean("hidden_lines")}, file, call.context()));
   } else if (format == "html") {
-    ARESTA_CHECK(draw::write_html(scene, {.view = view, .projection = options.projection, .explode = options.explode, .coloring = coloring}, file, call.context()));
+    ARESTA_CHECK(draw::write_html(
+        scene, {.view = view, .projection = options.projection, .explode = options.explode, .coloring = coloring}, file,
+        call.context()));
   } else {
-    ARESTA_CHECK(draw::render_png(scene, {.view = options, .coloring = coloring, .opacity = call.number("opacity")}, file, call.context()));
+    ARESTA_CHECK(draw::render_png(scene, {.view = options, .coloring = coloring, .opacity = call.number("opacity")},
+                                  file, call.context()));
   }
   return Value();
 }
@@ -147,38 +167,112 @@ std::size_t MeshShape::element_count() const {
 
 void register_files(Registry& r) {
   const Parameter x{.name = "x", .type = Type::shape};
-  r.add({.name = "import_file", .group = "files",
-         .parameters = {path, file_format, {.name = "check", .type = Type::boolean, .doc = "refuse what the checker finds fault with", .default_value = true, .keyword_only = true}},
-         .returns = "a shape", .doc = "Reads a model: STEP, BREP, STL, OBJ, PLY, OFF, by the path's ending.", .example = "import_file(\"part.step\")",
-         .errors = {errors::file_unreadable}, .function = import_shape});
-  r.add({.name = "export", .group = "files",
-         .parameters = {{.name = "x", .type = Type::shape, .doc = "a shape or a mesh"}, path, file_format,
-                        {.name = "deflection", .type = Type::number, .doc = "of formats of triangles: greatest distance from the true shape; 0: a thousandth of its size", .unit = "length", .default_value = 0, .limits = not_negative, .keyword_only = true}},
-         .doc = "Writes a shape (STEP, BREP, STL, OBJ) or a mesh (MSH, VTU, INP), by the path's ending.", .example = "export(plate, \"plate.step\")",
-         .errors = {errors::file_unwritable}, .function = export_shape});
-  r.add({.name = "mesh", .group = "files",
-         .parameters = {x, {.name = "size", .type = Type::number, .doc = "wished length of the elements' sides; 0: a twelfth of the shape's size", .unit = "length", .default_value = 0, .limits = not_negative},
-                        {.name = "order", .type = Type::integer, .doc = "1: straight elements, 2: with nodes in the middle of their sides", .default_value = 1, .limits = {1, 2}},
-                        {.name = "angle", .type = Type::number, .doc = "most that a curve may turn along one element", .unit = "degrees", .default_value = 20, .limits = {5, 90}},
-                        {.name = "grading", .type = Type::number, .doc = "growth of the size with distance", .default_value = 0.3, .limits = {0.05, 1}},
-                        {.name = "dimension", .type = Type::integer, .doc = "1: edges, 2: and faces, 3: and regions", .default_value = 3, .limits = {1, 3}}},
-         .returns = "a mesh, in which what touches shares nodes; names and groups become sets", .doc = "Makes a finite element mesh.",
-         .example = "export(mesh(plate, size=0.5), \"plate.inp\")", .function = make_mesh});
-  r.add({.name = "quality", .group = "measures", .parameters = {{.name = "m", .type = Type::shape, .doc = "a mesh"}}, .returns = "a list of pairs (what, value)",
-         .doc = "How good the elements of a mesh are.", .example = "for what, value in quality(mesh(b, size=0.3)): print(what, value)", .function = mesh_quality});
-  r.add({.name = "render", .group = "files",
-         .parameters = {x, path,
-                        {.name = "view", .type = Type::string, .default_value = "iso", .choices = {"iso", "front", "back", "left", "right", "top", "bottom"}},
-                        {.name = "hidden_lines", .type = Type::boolean, .doc = "in SVG: remove the lines that cannot be seen", .default_value = false},
-                        {.name = "explode", .type = Type::number, .doc = "how far regions move apart", .default_value = 0, .limits = not_negative},
-                        {.name = "width", .type = Type::integer, .unit = "pixels", .default_value = 1600, .limits = {16, 16384}},
-                        {.name = "height", .type = Type::integer, .unit = "pixels", .default_value = 1200, .limits = {16, 16384}},
-                        {.name = "perspective", .type = Type::boolean, .default_value = false},
-                        {.name = "opacity", .type = Type::number, .doc = "in PNG: of faces", .default_value = 1, .limits = {0, 1}},
-                        {.name = "coloring", .type = Type::string, .doc = "a colour for each region, or for each face", .default_value = "regions", .choices = {"regions", "faces"}},
-                        {.name = "title", .type = Type::string, .default_value = ""}, file_format},
-         .doc = "Draws a shape: PNG (shaded), SVG (lines), HTML (a page that turns it), by the path's ending.", .example = "render(plate, \"plate.png\", view=\"iso\")",
-         .errors = {errors::file_unwritable}, .function = render_shape});
+  r.add({.name = "import_file",
+         .group = "files",
+         .parameters = {path,
+                        file_format,
+                        {.name = "check",
+                         .type = Type::boolean,
+                         .doc = "refuse what the checker finds fault with",
+                         .default_value = true,
+                         .keyword_only = true}},
+         .returns = "a shape",
+         .doc = "Reads a model: STEP, BREP, STL, OBJ, PLY, OFF, by the path's ending.",
+         .example = "import_file(\"part.step\")",
+         .errors = {errors::file_unreadable},
+         .function = import_shape});
+  r.add({.name = "export",
+         .group = "files",
+         .parameters =
+             {{.name = "x", .type = Type::shape, .doc = "a shape or a mesh"},
+              path,
+              file_format,
+              {.name = "deflection",
+               .type = Type::number,
+               .doc = "of formats of triangles: greatest distance from the true shape; 0: a thousandth of its size",
+               .unit = "length",
+               .default_value = 0,
+               .limits = not_negative,
+               .keyword_only = true}},
+         .doc = "Writes a shape (STEP, BREP, STL, OBJ) or a mesh (MSH, VTU, INP), by the path's ending.",
+         .example = "export(plate, \"plate.step\")",
+         .errors = {errors::file_unwritable},
+         .function = export_shape});
+  r.add({.name = "mesh",
+         .group = "files",
+         .parameters = {x,
+                        {.name = "size",
+                         .type = Type::number,
+                         .doc = "wished length of the elements' sides; 0: a twelfth of the shape's size",
+                         .unit = "length",
+                         .default_value = 0,
+                         .limits = not_negative},
+                        {.name = "order",
+                         .type = Type::integer,
+                         .doc = "1: straight elements, 2: with nodes in the middle of their sides",
+                         .default_value = 1,
+                         .limits = {1, 2}},
+                        {.name = "angle",
+                         .type = Type::number,
+                         .doc = "most that a curve may turn along one element",
+                         .unit = "degrees",
+                         .default_value = 20,
+                         .limits = {5, 90}},
+                        {.name = "grading",
+                         .type = Type::number,
+                         .doc = "growth of the size with distance",
+                         .default_value = 0.3,
+                         .limits = {0.05, 1}},
+                        {.name = "dimension",
+                         .type = Type::integer,
+                         .doc = "1: edges, 2: and faces, 3: and regions",
+                         .default_value = 3,
+                         .limits = {1, 3}}},
+         .returns = "a mesh, in which what touches shares nodes; names and groups become sets",
+         .doc = "Makes a finite element mesh.",
+         .example = "export(mesh(plate, size=0.5), \"plate.inp\")",
+         .function = make_mesh});
+  r.add({.name = "quality",
+         .group = "measures",
+         .parameters = {{.name = "m", .type = Type::shape, .doc = "a mesh"}},
+         .returns = "a list of pairs (what, value)",
+         .doc = "How good the elements of a mesh are.",
+         .example = "for what, value in quality(mesh(b, size=0.3)): print(what, value)",
+         .function = mesh_quality});
+  r.add(
+      {.name = "render",
+       .group = "files",
+       .parameters =
+           {x,
+            path,
+            {.name = "view",
+             .type = Type::string,
+             .default_value = "iso",
+             .choices = {"iso", "front", "back", "left", "right", "top", "bottom"}},
+            {.name = "hidden_lines",
+             .type = Type::boolean,
+             .doc = "in SVG: remove the lines that cannot be seen",
+             .default_value = false},
+            {.name = "explode",
+             .type = Type::number,
+             .doc = "how far regions move apart",
+             .default_value = 0,
+             .limits = not_negative},
+            {.name = "width", .type = Type::integer, .unit = "pixels", .default_value = 1600, .limits = {16, 16384}},
+            {.name = "height", .type = Type::integer, .unit = "pixels", .default_value = 1200, .limits = {16, 16384}},
+            {.name = "perspective", .type = Type::boolean, .default_value = false},
+            {.name = "opacity", .type = Type::number, .doc = "in PNG: of faces", .default_value = 1, .limits = {0, 1}},
+            {.name = "coloring",
+             .type = Type::string,
+             .doc = "a colour for each region, or for each face",
+             .default_value = "regions",
+             .choices = {"regions", "faces"}},
+            {.name = "title", .type = Type::string, .default_value = ""},
+            file_format},
+       .doc = "Draws a shape: PNG (shaded), SVG (lines), HTML (a page that turns it), by the path's ending.",
+       .example = "render(plate, \"plate.png\", view=\"iso\")",
+       .errors = {errors::file_unwritable},
+       .function = render_shape});
 }
 
 }  // namespace aresta::document

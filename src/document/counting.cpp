@@ -74,7 +74,8 @@ class BoundarySurface {
     const bool after = k_.side_after(c) == use;
     const CoedgeId mate = after ? k_.radial(c) : radial_before(k_, c);
     const FaceUse mate_use = after ? k_.side_before(mate) : k_.side_after(mate);
-    for (std::uint32_t end = 0; end < 2; ++end) ends_.unite(end_index(c, use.side(), end), end_index(mate, mate_use.side(), end));
+    for (std::uint32_t end = 0; end < 2; ++end)
+      ends_.unite(end_index(c, use.side(), end), end_index(mate, mate_use.side(), end));
     sides_.unite(use.index(), mate_use.index());
   }
 
@@ -119,7 +120,9 @@ class Connections {
   std::uint32_t set_of(EntityRef e) { return sets_.find(index(e)); }
 
  private:
-  static std::size_t size(const Complex& k) { return k.vertex_count() + k.edge_count() + k.face_count() + k.region_count(); }
+  static std::size_t size(const Complex& k) {
+    return k.vertex_count() + k.edge_count() + k.face_count() + k.region_count();
+  }
   std::size_t index(EntityRef e) const {
     std::size_t i = e.index;
     if (e.kind > EntityKind::vertex) i += k_.vertex_count();

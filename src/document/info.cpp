@@ -12,7 +12,8 @@ std::string unit_name(double metres) {
   const struct {
     double metres;
     const char* name;
-  } units[] = {{1e-6, "micrometre"}, {1e-3, "mm"}, {1e-2, "cm"}, {1, "m"}, {1e3, "km"}, {0.0254, "inch"}, {0.3048, "foot"}};
+  } units[] = {{1e-6, "micrometre"}, {1e-3, "mm"},     {1e-2, "cm"},    {1, "m"},
+               {1e3, "km"},          {0.0254, "inch"}, {0.3048, "foot"}};
   for (const auto& unit : units) {
     if (std::abs(metres - unit.metres) <= 1e-9 * unit.metres) return unit.name;
   }

@@ -17,8 +17,8 @@ struct ModelInfo {
   std::size_t wire_edges = 0, isolated_vertices = 0, constraint_faces = 0, components = 0;
   Box3 bounds;
   double volume = 0, area = 0, length = 0;
-  double length_unit = 1e-3;                    ///< metres per document unit
-  double tolerance = 0, largest_tolerance = 0;  ///< the model's, and the largest of its entities
+  double length_unit = 1e-3;                            ///< metres per document unit
+  double tolerance = 0, largest_tolerance = 0;          ///< the model's, and the largest of its entities
   std::map<std::string, std::size_t> surfaces, curves;  ///< kinds: "plane" -> 6
   std::vector<std::pair<EntityRef, std::string>> names;
   std::vector<std::pair<std::string, std::size_t>> groups;  ///< with their sizes

@@ -38,32 +38,51 @@ std::string allowed_text(const Parameter& p) {
 
 const char* type_text(Type type) {
   switch (type) {
-    case Type::any: return "any value";
-    case Type::boolean: return "True or False";
-    case Type::integer: return "a whole number";
-    case Type::number: return "a number";
-    case Type::string: return "a text";
-    case Type::sequence: return "a list";
-    case Type::numbers: return "a list of numbers";
-    case Type::point: return "a point (x, y, z)";
-    case Type::direction: return "a direction (x, y, z), not all zero";
-    case Type::points: return "a list of points [(x, y, z), ...]";
-    case Type::point_lists: return "a list of lists of points";
-    case Type::index_loops: return "a list of faces, each a list of point numbers (from 0)";
-    case Type::shape: return "a shape";
-    case Type::shape_or_point: return "a shape or a point (x, y, z)";
-    case Type::shapes: return "a shape or a list of shapes";
-    case Type::command: return "the name of a command";
+    case Type::any:
+      return "any value";
+    case Type::boolean:
+      return "True or False";
+    case Type::integer:
+      return "a whole number";
+    case Type::number:
+      return "a number";
+    case Type::string:
+      return "a text";
+    case Type::sequence:
+      return "a list";
+    case Type::numbers:
+      return "a list of numbers";
+    case Type::point:
+      return "a point (x, y, z)";
+    case Type::direction:
+      return "a direction (x, y, z), not all zero";
+    case Type::points:
+      return "a list of points [(x, y, z), ...]";
+    case Type::point_lists:
+      return "a list of lists of points";
+    case Type::index_loops:
+      return "a list of faces, each a list of point numbers (from 0)";
+    case Type::shape:
+      return "a shape";
+    case Type::shape_or_point:
+      return "a shape or a point (x, y, z)";
+    case Type::shapes:
+      return "a shape or a list of shapes";
+    case Type::command:
+      return "the name of a command";
   }
   return "";
 }
 
-bool Limits::any() const { return low > -std::numeric_limits<double>::max() || high < std::numeric_limits<double>::max(); }
+bool Limits::any() const {
+  return low > -std::numeric_limits<double>::max() || high < std::numeric_limits<double>::max();
+}
 
 std::string Limits::text() const {
   const bool has_low = low > -std::numeric_limits<double>::max(), has_high = high < std::numeric_limits<double>::max();
   if (has_low && has_high) {
-    return (low_open ? "greater than " + short_number(low) + " and at most " : "between " + short_number(low) + " and ") +
+    return (low_open ? "greater than " + short_number(low) + " and at most "
+                     : "between " + short_number(low) + " and ") +
            short_number(high);
   }
   if (has_low) return (low_open ? "greater than " : "at least ") + short_number(low);
@@ -80,7 +99,9 @@ const Value& Call::operator[](std::string_view name) const {
   return none;
 }
 
-bool Call::boolean(std::string_view name) const { return (*this)[name].boolean(); }
+bool Call::boolean(std::string_view name) const {
+  return (*this)[name].boolean();
+}
 
 std::int64_t Call::integer(std::string_view name) const {
   const Value& v = (*this)[name];
@@ -98,7 +119,9 @@ std::vector<double> Call::numbers(std::string_view name) const {
   return out;
 }
 
-std::vector<Vec3> Call::points(std::string_view name) const { return as_points((*this)[name]); }
+std::vector<Vec3> Call::points(std::string_view name) const {
+  return as_points((*this)[name]);
+}
 
 std::vector<std::vector<Vec3>> Call::point_lists(std::string_view name) const {
   std::vector<std::vector<Vec3>> out;

@@ -22,20 +22,20 @@ namespace aresta::document {
 enum class Type {
   any,
   boolean,
-  integer,         ///< a whole number (3.0 counts)
+  integer,  ///< a whole number (3.0 counts)
   number,
   string,
-  sequence,        ///< a list, tuple or range of anything
-  numbers,         ///< a list or tuple of numbers
-  point,           ///< three numbers
-  direction,       ///< three numbers, not all zero
-  points,          ///< a list or tuple of points
-  point_lists,     ///< a list or tuple of such
-  index_loops,     ///< faces by point numbers: each a list of numbers from 0, or a list of such (holes after the outer)
+  sequence,     ///< a list, tuple or range of anything
+  numbers,      ///< a list or tuple of numbers
+  point,        ///< three numbers
+  direction,    ///< three numbers, not all zero
+  points,       ///< a list or tuple of points
+  point_lists,  ///< a list or tuple of such
+  index_loops,  ///< faces by point numbers: each a list of numbers from 0, or a list of such (holes after the outer)
   shape,
   shape_or_point,
-  shapes,          ///< a shape, or a list or tuple of shapes
-  command,         ///< the name of a command, as in sorted(xs, key=volume)
+  shapes,   ///< a shape, or a list or tuple of shapes
+  command,  ///< the name of a command, as in sorted(xs, key=volume)
 };
 
 /// In words, as in "a point (x, y, z)".
@@ -59,12 +59,12 @@ struct Parameter {
   std::string name;
   Type type = Type::any;
   std::string doc = {};
-  std::string unit = {};                         ///< "length", "degrees", or empty
-  std::optional<Value> default_value = {};       ///< none: must be given. None: may be left out or given as None
+  std::string unit = {};                    ///< "length", "degrees", or empty
+  std::optional<Value> default_value = {};  ///< none: must be given. None: may be left out or given as None
   Limits limits = {};
-  std::vector<std::string> choices = {};         ///< the allowed texts; empty: any
-  std::size_t size = 0;                          ///< of a sequence; 0: any
-  bool variadic = false;                         ///< takes all further positional arguments, as a tuple
+  std::vector<std::string> choices = {};  ///< the allowed texts; empty: any
+  std::size_t size = 0;                   ///< of a sequence; 0: any
+  bool variadic = false;                  ///< takes all further positional arguments, as a tuple
   bool keyword_only = false;
 };
 
@@ -122,9 +122,9 @@ struct Command {
   std::string name;
   std::string group;  ///< a heading of the help, as in "solids"; "language" and "mathematics" are the language itself
   std::vector<Parameter> parameters = {};
-  std::string returns = {};   ///< what comes back, in words
-  std::string doc = {};       ///< first sentence: what it does
-  std::string example = {};   ///< a line of script
+  std::string returns = {};            ///< what comes back, in words
+  std::string doc = {};                ///< first sentence: what it does
+  std::string example = {};            ///< a line of script
   std::vector<ErrorCode> errors = {};  ///< that its function can give, besides those of wrong arguments
   Function function = {};
 

@@ -34,10 +34,18 @@ class Gatherer {
 
   void add(EntityRef entity) {
     switch (entity.kind) {
-      case EntityKind::vertex: mark(entity); break;
-      case EntityKind::edge: add_edge(EdgeId(entity.index)); break;
-      case EntityKind::face: add_face(FaceId(entity.index)); break;
-      case EntityKind::region: add_region(RegionId(entity.index)); break;
+      case EntityKind::vertex:
+        mark(entity);
+        break;
+      case EntityKind::edge:
+        add_edge(EdgeId(entity.index));
+        break;
+      case EntityKind::face:
+        add_face(FaceId(entity.index));
+        break;
+      case EntityKind::region:
+        add_region(RegionId(entity.index));
+        break;
     }
   }
 
@@ -110,7 +118,9 @@ std::string ModelShape::describe() const {
   for (std::size_t kind = 4; kind-- > 0;) {
     if (counts[kind] == 0) continue;
     text += (text.empty() ? "" : ", ");
-    text += kind == 0 && counts[0] == 1 ? "1 vertex" : kind == 0 ? std::to_string(counts[0]) + " vertices" : counted(counts[kind], kinds[kind]);
+    text += kind == 0 && counts[0] == 1 ? "1 vertex"
+            : kind == 0                 ? std::to_string(counts[0]) + " vertices"
+                                        : counted(counts[kind], kinds[kind]);
   }
   if (text.empty()) text = "nothing";
   return (name_.empty() ? "shape of " : "group '" + name_ + "' of ") + text;
@@ -125,7 +135,9 @@ bool ModelShape::same_as(const Shape& other) const {
   });
 }
 
-bool ModelShape::is_whole() const { return parts_.size() == 1 && parts_[0].entities == parts_[0].model->listed(); }
+bool ModelShape::is_whole() const {
+  return parts_.size() == 1 && parts_[0].entities == parts_[0].model->listed();
+}
 
 bool HalfSpaceShape::same_as(const Shape& other) const {
   const auto* shape = dynamic_cast<const HalfSpaceShape*>(&other);
@@ -137,7 +149,9 @@ ShapePtr whole_shape(std::shared_ptr<Model> model) {
   return shape_of(std::move(model), std::move(listed));
 }
 
-ShapePtr whole_shape(Model model) { return whole_shape(std::make_shared<Model>(std::move(model))); }
+ShapePtr whole_shape(Model model) {
+  return whole_shape(std::make_shared<Model>(std::move(model)));
+}
 
 ShapePtr shape_of(std::shared_ptr<Model> model, std::vector<EntityRef> entities) {
   return std::make_shared<const ModelShape>(std::vector<Part>{{std::move(model), std::move(entities)}});
@@ -152,7 +166,8 @@ Value shapes_of(const std::shared_ptr<Model>& model, const std::vector<EntityRef
 
 Result<ModelShapePtr> model_shape(const Call& call, const ShapePtr& shape, const std::string& parameter) {
   if (auto model = std::dynamic_pointer_cast<const ModelShape>(shape)) return model;
-  return Error{errors::command_type, call.command().name + ": " + parameter + " must be a shape of a model, not <" + shape->describe() + ">"};
+  return Error{errors::command_type,
+               call.command().name + ": " + parameter + " must be a shape of a model, not <" + shape->describe() + ">"};
 }
 
 std::array<std::vector<EntityRef>, 4> closure(const Part& part) {

@@ -53,11 +53,21 @@ void append_quoted(std::string& out, const std::string& text, std::size_t limit)
 void append_repr(std::string& out, const Value& value, Digits digits, std::size_t limit, int depth) {
   if (out.size() > limit) return;
   switch (value.kind()) {
-    case Value::Kind::none: out += "None"; break;
-    case Value::Kind::boolean: out += value.boolean() ? "True" : "False"; break;
-    case Value::Kind::integer: out += std::to_string(value.integer()); break;
-    case Value::Kind::real: out += number_text(value.real(), digits); break;
-    case Value::Kind::string: append_quoted(out, value.string(), limit); break;
+    case Value::Kind::none:
+      out += "None";
+      break;
+    case Value::Kind::boolean:
+      out += value.boolean() ? "True" : "False";
+      break;
+    case Value::Kind::integer:
+      out += std::to_string(value.integer());
+      break;
+    case Value::Kind::real:
+      out += number_text(value.real(), digits);
+      break;
+    case Value::Kind::string:
+      append_quoted(out, value.string(), limit);
+      break;
     case Value::Kind::list:
     case Value::Kind::tuple: {
       const bool is_list = value.is(Value::Kind::list);
@@ -82,8 +92,12 @@ void append_repr(std::string& out, const Value& value, Digits digits, std::size_
       out += ")";
       break;
     }
-    case Value::Kind::shape: out += "<" + value.shape()->describe() + ">"; break;
-    case Value::Kind::command: out += "<command " + value.command()->name + ">"; break;
+    case Value::Kind::shape:
+      out += "<" + value.shape()->describe() + ">";
+      break;
+    case Value::Kind::command:
+      out += "<command " + value.command()->name + ">";
+      break;
   }
 }
 
@@ -102,7 +116,8 @@ bool equal_to_depth(const Value& a, const Value& b, int depth) {
   }
   if (a.kind() != b.kind()) return false;
   switch (a.kind()) {
-    case Kind::string: return a.string() == b.string();
+    case Kind::string:
+      return a.string() == b.string();
     case Kind::list:
     case Kind::tuple: {
       if (a.identical(b)) return true;
@@ -119,8 +134,10 @@ bool equal_to_depth(const Value& a, const Value& b, int depth) {
       const std::uint64_t n = r.size();
       return n == s.size() && (n == 0 || (r.start == s.start && (n == 1 || r.step == s.step)));
     }
-    case Kind::shape: return a.shape() == b.shape() || a.shape()->same_as(*b.shape());
-    default: return a.identical(b);
+    case Kind::shape:
+      return a.shape() == b.shape() || a.shape()->same_as(*b.shape());
+    default:
+      return a.identical(b);
   }
 }
 
@@ -160,7 +177,9 @@ const std::vector<Value>& Value::items() const {
   return (*std::get_if<std::shared_ptr<const Tuple>>(&state_))->values;
 }
 
-bool Value::identical(const Value& other) const { return state_ == other.state_; }
+bool Value::identical(const Value& other) const {
+  return state_ == other.state_;
+}
 
 std::string number_text(double value, Digits digits) {
   if (std::isnan(value)) return "nan";
@@ -199,16 +218,26 @@ std::string display(const Value& value, Digits digits) {
 
 const char* kind_name(const Value& value) {
   switch (value.kind()) {
-    case Value::Kind::none: return "no value";
-    case Value::Kind::boolean: return "a truth value";
-    case Value::Kind::integer: return "a whole number";
-    case Value::Kind::real: return "a number";
-    case Value::Kind::string: return "a text";
-    case Value::Kind::list: return "a list";
-    case Value::Kind::tuple: return "a tuple";
-    case Value::Kind::range: return "a range";
-    case Value::Kind::shape: return "a shape";
-    case Value::Kind::command: return "a command";
+    case Value::Kind::none:
+      return "no value";
+    case Value::Kind::boolean:
+      return "a truth value";
+    case Value::Kind::integer:
+      return "a whole number";
+    case Value::Kind::real:
+      return "a number";
+    case Value::Kind::string:
+      return "a text";
+    case Value::Kind::list:
+      return "a list";
+    case Value::Kind::tuple:
+      return "a tuple";
+    case Value::Kind::range:
+      return "a range";
+    case Value::Kind::shape:
+      return "a shape";
+    case Value::Kind::command:
+      return "a command";
   }
   return "";
 }
@@ -221,18 +250,28 @@ std::string given_text(const Value& value) {
 
 bool truth(const Value& value) {
   switch (value.kind()) {
-    case Value::Kind::none: return false;
-    case Value::Kind::boolean: return value.boolean();
-    case Value::Kind::integer: return value.integer() != 0;
-    case Value::Kind::real: return value.real() != 0;
-    case Value::Kind::string: return !value.string().empty();
+    case Value::Kind::none:
+      return false;
+    case Value::Kind::boolean:
+      return value.boolean();
+    case Value::Kind::integer:
+      return value.integer() != 0;
+    case Value::Kind::real:
+      return value.real() != 0;
+    case Value::Kind::string:
+      return !value.string().empty();
     case Value::Kind::list:
-    case Value::Kind::tuple: return !value.items().empty();
-    case Value::Kind::range: return value.range().size() > 0;
-    default: return true;
+    case Value::Kind::tuple:
+      return !value.items().empty();
+    case Value::Kind::range:
+      return value.range().size() > 0;
+    default:
+      return true;
   }
 }
 
-bool equal(const Value& a, const Value& b) { return equal_to_depth(a, b, 0); }
+bool equal(const Value& a, const Value& b) {
+  return equal_to_depth(a, b, 0);
+}
 
 }  // namespace aresta::document

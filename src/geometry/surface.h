@@ -98,10 +98,10 @@ class Surface {
   /// Contains the piece; tight for analytic forms.
   Box3 bounds(const Range2& piece) const;
 
-  /// All meetings of the line with the whole surface, by growing t; a touch counts once, a line that lies in the surface
-  /// gives none. Closed forms for analytic forms (`near` is not looked at); for free-form ones those with parameters in
-  /// `near`, moved there by whole periods: every transversal one by subdivision with a certificate, touches to 1e-13 of
-  /// the size. `near` must be finite where the surface's own domain is not.
+  /// All meetings of the line with the whole surface, by growing t; a touch counts once, a line that lies in the
+  /// surface gives none. Closed forms for analytic forms (`near` is not looked at); for free-form ones those with
+  /// parameters in `near`, moved there by whole periods: every transversal one by subdivision with a certificate,
+  /// touches to 1e-13 of the size. `near` must be finite where the surface's own domain is not.
   std::vector<LineHit> intersect(const Line& line, const Range2& near) const;
 
   /// As Curve::transformed. `uv_scale` gets the factor by which u and v parameters of old points are multiplied. A

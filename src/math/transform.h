@@ -64,7 +64,8 @@ struct Transform {
   /// Twelve numbers: the 3x4 matrix by rows.
   static Transform from_rows(const std::array<double, 12>& m);
 
-  /// Is it a rotation, reflection or uniform scaling followed by a translation, to 1e-12 relative? `factor` gets |scale|.
+  /// Is it a rotation, reflection or uniform scaling followed by a translation, to 1e-12 relative? `factor` gets
+  /// |scale|.
   bool is_similarity(double* factor = nullptr) const;
   /// Is it a rigid motion (no scaling, no reflection), to 1e-12?
   bool is_rigid() const;

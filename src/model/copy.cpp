@@ -74,7 +74,8 @@ Result<Model> with_geometry(const Model& model, const GeometryChanges& changes) 
   for (const FaceId f : k.faces()) {
     for (int side = 0; side < 2; ++side) cells.of_face_use.push_back(k.region(FaceUse(f, side)).value);
   }
-  for (const EdgeId e : k.edges()) cells.of_edge.push_back(k.is_wire(e) ? k.region(k.wire_shell(e)).value : Incidence::none);
+  for (const EdgeId e : k.edges())
+    cells.of_edge.push_back(k.is_wire(e) ? k.region(k.wire_shell(e)).value : Incidence::none);
   for (const VertexId v : k.vertices()) {
     const ShellId s = k.isolated_in_shell(v);
     cells.of_vertex.push_back(s.valid() ? k.region(s).value : Incidence::none);

@@ -227,7 +227,8 @@ class Green {
     const auto density = [&](double t) {
       const CurveJet jet = model_.edge_jet(e, t);
       const Vec2 uv = invert(surface_, jet.point, image_.uv(piece, t));
-      const double rate = across(uv_tangent(surface_.jet(uv), jet.d1));
+      const SurfaceJet foot = surface_.jet(uv);
+      const double rate = across(uv_tangent(foot, jet.d1, jet.point - foot.point));
       if (rate == 0) return PatchMoments{};
       return scaled(patch_->strip(across(uv), inner(uv)), rate);
     };

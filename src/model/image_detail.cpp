@@ -95,8 +95,10 @@ Vec2 invert(const Surface& surface, Vec3 p, Vec2 hint) {
   return surface.project(p, &hint).uv;
 }
 
-Vec2 uv_tangent(const SurfaceJet& j, Vec3 d1) {
-  const double e = dot(j.du, j.du), f = dot(j.du, j.dv), g = dot(j.dv, j.dv), determinant = e * g - f * f;
+Vec2 uv_tangent(const SurfaceJet& j, Vec3 d1, Vec3 off) {
+  // Derivative of du.(p - S) = 0 and dv.(p - S) = 0 along the curve.
+  const double e = dot(j.du, j.du) - dot(off, j.duu), f = dot(j.du, j.dv) - dot(off, j.duv),
+               g = dot(j.dv, j.dv) - dot(off, j.dvv), determinant = e * g - f * f;
   if (!(determinant > 1e-24 * e * g) || determinant == 0) return {};
   const double a = dot(j.du, d1), b = dot(j.dv, d1);
   return {(g * a - f * b) / determinant, (e * b - f * a) / determinant};

@@ -58,7 +58,8 @@ FaceImage image_of(const Model& model, FaceId face);
 /// uv of the point of the surface nearest to p, near `hint`. Newton on the foot-point equations for free-form surfaces.
 Vec2 invert(const Surface& surface, Vec3 p, Vec2 hint);
 
-/// Derivative of the uv image of a space curve with tangent d1 at a surface point; zero where the surface is singular.
-Vec2 uv_tangent(const SurfaceJet& jet, Vec3 d1);
+/// Derivative of the foot point's uv for a space curve with tangent d1 at jet.point + off, where `off` is at right
+/// angles to the surface (zero for a point on it); zero where the surface is singular.
+Vec2 uv_tangent(const SurfaceJet& jet, Vec3 d1, Vec3 off);
 
 }  // namespace aresta::model_detail

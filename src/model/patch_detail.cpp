@@ -109,8 +109,8 @@ Patch::Patch(const Surface& surface, const Range2& box, bool swapped, const Patc
   }
 }
 
-// Near an apex or pole the image of an edge means little: an edge that misses the point by a rounding runs half around it.
-// Strips that start there are empty there, so that it does not matter.
+// Near an apex or pole the image of an edge means little: an edge that misses the point by a rounding runs half around
+// it. Strips that start there are empty there, so that it does not matter.
 void Patch::start_at_singular_end(Range along, double end) {
   const double near = 1e-3 * along.length();
   if (std::abs(along.low - end) <= near || std::abs(along.high - end) <= near) v0_ = end;

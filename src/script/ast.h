@@ -13,28 +13,44 @@
 namespace aresta::script {
 
 enum class Op : std::uint8_t {
-  add, subtract, multiply, divide, floor_divide, modulo, power, bit_and,
-  equal, not_equal, less, less_equal, greater, greater_equal, in, not_in, is, is_not
+  add,
+  subtract,
+  multiply,
+  divide,
+  floor_divide,
+  modulo,
+  power,
+  bit_and,
+  equal,
+  not_equal,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  in,
+  not_in,
+  is,
+  is_not
 };
 
 /// As it is written in a script.
 const char* op_text(Op op);
 
 enum class ExprKind : std::uint8_t {
-  constant,       ///< value
-  name,           ///< text, slot
-  negate,         ///< children[0]; likewise plus, logical_not
+  constant,  ///< value
+  name,      ///< text, slot
+  negate,    ///< children[0]; likewise plus, logical_not
   plus,
   logical_not,
-  chain,          ///< arithmetic from left to right: children[0] ops[0] children[1] ops[1] ...
-  compare,        ///< chained comparison, with ops
-  logical_and,    ///< children, at least two; likewise logical_or
+  chain,        ///< arithmetic from left to right: children[0] ops[0] children[1] ops[1] ...
+  compare,      ///< chained comparison, with ops
+  logical_and,  ///< children, at least two; likewise logical_or
   logical_or,
-  conditional,    ///< children: value if true, condition, value if false
-  call,           ///< children[0] is called with the rest; keywords as long as the arguments ("" positional, "*" spread)
-  method,         ///< children[0] . text ( rest ), arguments as in call
-  index,          ///< children[0][children[1]]
-  slice,          ///< children[0][children[1] : children[2] : children[3]], absent ones null
+  conditional,  ///< children: value if true, condition, value if false
+  call,         ///< children[0] is called with the rest; keywords as long as the arguments ("" positional, "*" spread)
+  method,       ///< children[0] . text ( rest ), arguments as in call
+  index,        ///< children[0][children[1]]
+  slice,        ///< children[0][children[1] : children[2] : children[3]], absent ones null
   list,
   tuple,
   comprehension,  ///< children[0] for clauses
@@ -59,7 +75,7 @@ struct PlacedOp {
 struct Expr {
   ExprKind kind = ExprKind::constant;
   Place place;
-  int slot = -1;             ///< of a name: its variable; -1: none, it is a command or constant
+  int slot = -1;  ///< of a name: its variable; -1: none, it is a command or constant
   document::Value value;
   std::string text;
   std::vector<ExprPtr> children;
@@ -69,14 +85,16 @@ struct Expr {
 };
 
 enum class StmtKind : std::uint8_t {
-  expression,   ///< value
-  assign,       ///< targets = value
-  augment,      ///< targets[0] op= value
-  assertion,    ///< value, message (may be null)
-  if_else,      ///< branches, the last without a condition when there is an else
-  for_loop,     ///< targets[0] in value: body, orelse
-  while_loop,   ///< value: body, orelse
-  pass, break_loop, continue_loop
+  expression,  ///< value
+  assign,      ///< targets = value
+  augment,     ///< targets[0] op= value
+  assertion,   ///< value, message (may be null)
+  if_else,     ///< branches, the last without a condition when there is an else
+  for_loop,    ///< targets[0] in value: body, orelse
+  while_loop,  ///< value: body, orelse
+  pass,
+  break_loop,
+  continue_loop
 };
 
 struct Stmt;

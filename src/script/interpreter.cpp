@@ -169,21 +169,32 @@ Status Interpreter::run_block(const Block& block, Flow& flow) {
 Status Interpreter::run_statement(const Stmt& s, Flow& flow) {
   last_ = Value();
   switch (s.kind) {
-    case StmtKind::expression: return eval(*s.value, last_);
+    case StmtKind::expression:
+      return eval(*s.value, last_);
     case StmtKind::assign: {
       Value value;
       ARESTA_CHECK(eval(*s.value, value));
       for (const ExprPtr& t : s.targets) ARESTA_CHECK(assign(*t, value));
       return {};
     }
-    case StmtKind::augment: return run_augmented(s);
-    case StmtKind::assertion: return run_assert(s);
-    case StmtKind::if_else: return run_if(s, flow);
-    case StmtKind::for_loop: return run_for(s, flow);
-    case StmtKind::while_loop: return run_while(s, flow);
-    case StmtKind::pass: return {};
-    case StmtKind::break_loop: flow = Flow::broken; return {};
-    case StmtKind::continue_loop: flow = Flow::continued; return {};
+    case StmtKind::augment:
+      return run_augmented(s);
+    case StmtKind::assertion:
+      return run_assert(s);
+    case StmtKind::if_else:
+      return run_if(s, flow);
+    case StmtKind::for_loop:
+      return run_for(s, flow);
+    case StmtKind::while_loop:
+      return run_while(s, flow);
+    case StmtKind::pass:
+      return {};
+    case StmtKind::break_loop:
+      flow = Flow::broken;
+      return {};
+    case StmtKind::continue_loop:
+      flow = Flow::continued;
+      return {};
   }
   return {};
 }
@@ -320,14 +331,16 @@ Status Interpreter::assign(const Expr& target, const Value& value) {
       watch(container, value);
       return at(assign_index(container, key, value), target.place);
     }
-    default: return unpack(target, value);
+    default:
+      return unpack(target, value);
   }
 }
 
 Status Interpreter::unpack(const Expr& target, const Value& value) {
   const std::size_t wanted = target.children.size();
   if (value.is(Kind::range) && value.range().size() != wanted) {  // without making a list of it
-    return at(Error{errors::script_unpack, std::to_string(wanted) + " variables, but " + std::to_string(value.range().size()) + " values"},
+    return at(Error{errors::script_unpack,
+                    std::to_string(wanted) + " variables, but " + std::to_string(value.range().size()) + " values"},
               target.place);
   }
   auto items = items_of(value);
@@ -337,9 +350,10 @@ Status Interpreter::unpack(const Expr& target, const Value& value) {
               target.place);
   }
   if (items->size() != wanted) {
-    return at(Error{errors::script_unpack, std::to_string(wanted) + (wanted == 1 ? " variable" : " variables") + ", but " +
-                                               std::to_string(items->size()) + (items->size() == 1 ? " value" : " values")},
-              target.place);
+    return at(
+        Error{errors::script_unpack, std::to_string(wanted) + (wanted == 1 ? " variable" : " variables") + ", but " +
+                                         std::to_string(items->size()) + (items->size() == 1 ? " value" : " values")},
+        target.place);
   }
   for (std::size_t i = 0; i < wanted; ++i) ARESTA_CHECK(assign(*target.children[i], (*items)[i]));
   return {};
@@ -349,8 +363,11 @@ Status Interpreter::unpack(const Expr& target, const Value& value) {
 
 Status Interpreter::eval(const Expr& e, Value& out) {
   switch (e.kind) {
-    case ExprKind::constant: out = e.value; return {};
-    case ExprKind::name: return eval_name(e, out);
+    case ExprKind::constant:
+      out = e.value;
+      return {};
+    case ExprKind::name:
+      return eval_name(e, out);
     case ExprKind::negate:
       ARESTA_CHECK(eval(*e.children[0], out));
       return at(script::negate(out, out), e.place);
@@ -362,21 +379,30 @@ Status Interpreter::eval(const Expr& e, Value& out) {
       ARESTA_CHECK(eval(*e.children[0], out));
       out = !document::truth(out);
       return {};
-    case ExprKind::chain: return eval_chain(e, out);
-    case ExprKind::compare: return eval_compare(e, out);
+    case ExprKind::chain:
+      return eval_chain(e, out);
+    case ExprKind::compare:
+      return eval_compare(e, out);
     case ExprKind::logical_and:
-    case ExprKind::logical_or: return eval_logical(e, out);
+    case ExprKind::logical_or:
+      return eval_logical(e, out);
     case ExprKind::conditional:
       ARESTA_CHECK(eval(*e.children[1], out));
       return eval(*e.children[document::truth(out) ? 0 : 2], out);
-    case ExprKind::call: return eval_call(e, out);
-    case ExprKind::method: return eval_method(e, out);
+    case ExprKind::call:
+      return eval_call(e, out);
+    case ExprKind::method:
+      return eval_method(e, out);
     case ExprKind::index:
-    case ExprKind::slice: return eval_slice(e, out);
+    case ExprKind::slice:
+      return eval_slice(e, out);
     case ExprKind::list:
-    case ExprKind::tuple: return eval_items(e, out);
-    case ExprKind::comprehension: return eval_comprehension(e, out);
-    case ExprKind::formatted: return eval_formatted(e, out);
+    case ExprKind::tuple:
+      return eval_items(e, out);
+    case ExprKind::comprehension:
+      return eval_comprehension(e, out);
+    case ExprKind::formatted:
+      return eval_formatted(e, out);
   }
   return {};
 }
@@ -407,7 +433,8 @@ Status Interpreter::eval_name(const Expr& e, Value& out) {
   for (const auto& [name, command] : session_.registry->commands()) names.push_back(name);
   for (const auto& [name, constant] : session_.registry->constants()) names.push_back(name);
   const std::string near = document::nearest_name(e.text, names);
-  return at(Error{errors::script_name, "unknown name '" + e.text + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?")},
+  return at(Error{errors::script_name,
+                  "unknown name '" + e.text + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?")},
             e.place);
 }
 
@@ -465,8 +492,8 @@ Status Interpreter::eval_call(const Expr& e, Value& out) {
   if (!callee.is(Kind::command)) {
     const bool named = e.children[0]->kind == ExprKind::name;
     const bool hides = named && session_.registry->find(e.children[0]->text) != nullptr;
-    return at(Error{errors::script_type, (named ? "'" + e.children[0]->text + "' is " : "this is ") + document::given_text(callee) +
-                                             ", and cannot be called" +
+    return at(Error{errors::script_type, (named ? "'" + e.children[0]->text + "' is " : "this is ") +
+                                             document::given_text(callee) + ", and cannot be called" +
                                              (hides ? "; a variable of that name hides the command" : "")},
               e.place);
   }
@@ -560,7 +587,8 @@ Value value_of_definition(std::string_view text) {
   Interpreter interpreter(session);
   auto value = interpreter.evaluate(text, "-D");
   // Only what is a single literal or expression counts as one; None comes of statements and of the word itself.
-  if (value && (!value->is_none() || text == "None") && !text.empty() && parse_expression(text, "-D")) return std::move(*value);
+  if (value && (!value->is_none() || text == "None") && !text.empty() && parse_expression(text, "-D"))
+    return std::move(*value);
   return std::string(text);
 }
 

@@ -32,10 +32,14 @@ SinCos sin_cos(double degrees) {
   if (std::abs(r) == 30) v.sin = std::copysign(0.5, r);
   if (std::abs(r) == 45) v = {std::copysign(std::numbers::sqrt2 / 2, r), std::numbers::sqrt2 / 2};
   switch (quadrant & 3) {
-    case 1: return {v.cos, -v.sin + 0.0};
-    case 2: return {-v.sin + 0.0, -v.cos};
-    case 3: return {-v.cos, v.sin + 0.0};
-    default: return v;
+    case 1:
+      return {v.cos, -v.sin + 0.0};
+    case 2:
+      return {-v.sin + 0.0, -v.cos};
+    case 3:
+      return {-v.cos, v.sin + 0.0};
+    default:
+      return v;
   }
 }
 
@@ -56,9 +60,14 @@ Error outside(const Call& call, const char* domain) {
 
 void add(Registry& r, const char* name, std::string unit, std::string returns, std::string doc, std::string example,
          document::Function function) {
-  r.add({.name = name, .group = "mathematics", .parameters = {{.name = "x", .type = Type::number, .unit = std::move(unit)}},
-         .returns = std::move(returns), .doc = std::move(doc), .example = std::move(example),
-         .errors = {errors::script_value, errors::script_overflow}, .function = std::move(function)});
+  r.add({.name = name,
+         .group = "mathematics",
+         .parameters = {{.name = "x", .type = Type::number, .unit = std::move(unit)}},
+         .returns = std::move(returns),
+         .doc = std::move(doc),
+         .example = std::move(example),
+         .errors = {errors::script_value, errors::script_overflow},
+         .function = std::move(function)});
 }
 
 Result<Value> round_number(Call& c) {
@@ -66,7 +75,8 @@ Result<Value> round_number(Call& c) {
   if (c["digits"].is_none()) {
     if (x.is(Value::Kind::integer)) return x;
     const double r = std::nearbyint(x.real());  // halves to even, as Python
-    if (std::abs(r) >= 9223372036854775808.0) return Error{errors::script_overflow, document::repr(x) + " does not fit in 64 bits"};
+    if (std::abs(r) >= 9223372036854775808.0)
+      return Error{errors::script_overflow, document::repr(x) + " does not fit in 64 bits"};
     return Value(static_cast<std::int64_t>(r));
   }
   const std::int64_t digits = c.integer("digits");
@@ -79,7 +89,8 @@ Result<Value> round_number(Call& c) {
   }
   // By way of the decimal text, which is correctly rounded.
   char buffer[512];
-  const auto written = std::to_chars(buffer, buffer + sizeof buffer, x.real(), std::chars_format::fixed, static_cast<int>(digits));
+  const auto written =
+      std::to_chars(buffer, buffer + sizeof buffer, x.real(), std::chars_format::fixed, static_cast<int>(digits));
   double r = 0;
   std::from_chars(buffer, written.ptr, r);
   return Value(r);
@@ -110,45 +121,71 @@ void register_mathematics(Registry& r) {
     if (v.cos == 0) return Error{errors::script_value, "tan has no value at " + document::repr(c["x"]) + " degrees"};
     return Value(v.sin / v.cos);
   });
-  add(r, "asin", "", "an angle in degrees, from -90 to 90", "The angle whose sine is x.", "asin(0.5)", [](Call& c) -> Result<Value> {
-    const double x = c.number("x");
-    if (std::abs(x) > 1) return outside(c, "a number from -1 to 1");
-    return Value(in_degrees(std::asin(x)));
-  });
-  add(r, "acos", "", "an angle in degrees, from 0 to 180", "The angle whose cosine is x.", "acos(0.5)", [](Call& c) -> Result<Value> {
-    const double x = c.number("x");
-    if (std::abs(x) > 1) return outside(c, "a number from -1 to 1");
-    return Value(in_degrees(std::acos(x)));
-  });
+  add(r, "asin", "", "an angle in degrees, from -90 to 90", "The angle whose sine is x.", "asin(0.5)",
+      [](Call& c) -> Result<Value> {
+        const double x = c.number("x");
+        if (std::abs(x) > 1) return outside(c, "a number from -1 to 1");
+        return Value(in_degrees(std::asin(x)));
+      });
+  add(r, "acos", "", "an angle in degrees, from 0 to 180", "The angle whose cosine is x.", "acos(0.5)",
+      [](Call& c) -> Result<Value> {
+        const double x = c.number("x");
+        if (std::abs(x) > 1) return outside(c, "a number from -1 to 1");
+        return Value(in_degrees(std::acos(x)));
+      });
   add(r, "atan", "", "an angle in degrees, from -90 to 90", "The angle whose tangent is x.", "atan(1)",
       [](Call& c) -> Result<Value> { return Value(in_degrees(std::atan(c.number("x")))); });
-  r.add({.name = "atan2", .group = "mathematics", .parameters = {{.name = "y", .type = Type::number}, {.name = "x", .type = Type::number}},
-         .returns = "an angle in degrees, from -180 to 180", .doc = "The angle of the direction (x, y) from the x axis.", .example = "atan2(1, 1)",
-         .function = [](Call& c) -> Result<Value> { return Value(in_degrees(std::atan2(c.number("y"), c.number("x")))); }});
-  r.add({.name = "hypot", .group = "mathematics", .parameters = {{.name = "x", .type = Type::number}, {.name = "y", .type = Type::number}},
-         .returns = "a number", .doc = "The length of (x, y).", .example = "hypot(3, 4)", .errors = {errors::script_overflow},
+  r.add({.name = "atan2",
+         .group = "mathematics",
+         .parameters = {{.name = "y", .type = Type::number}, {.name = "x", .type = Type::number}},
+         .returns = "an angle in degrees, from -180 to 180",
+         .doc = "The angle of the direction (x, y) from the x axis.",
+         .example = "atan2(1, 1)",
+         .function = [](Call& c) -> Result<Value> {
+           return Value(in_degrees(std::atan2(c.number("y"), c.number("x"))));
+         }});
+  r.add({.name = "hypot",
+         .group = "mathematics",
+         .parameters = {{.name = "x", .type = Type::number}, {.name = "y", .type = Type::number}},
+         .returns = "a number",
+         .doc = "The length of (x, y).",
+         .example = "hypot(3, 4)",
+         .errors = {errors::script_overflow},
          .function = [](Call& c) -> Result<Value> { return finite(std::hypot(c.number("x"), c.number("y")), c); }});
-  add(r, "exp", "", "a number", "e to the power x.", "exp(1)", [](Call& c) -> Result<Value> { return finite(std::exp(c.number("x")), c); });
+  add(r, "exp", "", "a number", "e to the power x.", "exp(1)",
+      [](Call& c) -> Result<Value> { return finite(std::exp(c.number("x")), c); });
   add(r, "log", "", "a number", "The natural logarithm.", "log(10)", [](Call& c) -> Result<Value> {
     const double x = c.number("x");
     if (x <= 0) return outside(c, "a number greater than 0");
     return Value(std::log(x));
   });
   add(r, "floor", "", "a whole number", "The largest whole number that is not greater.", "floor(2.7)",
-      [](Call& c) -> Result<Value> { return c["x"].is(Value::Kind::integer) ? Result<Value>(c["x"]) : whole(std::floor(c["x"].real())); });
+      [](Call& c) -> Result<Value> {
+        return c["x"].is(Value::Kind::integer) ? Result<Value>(c["x"]) : whole(std::floor(c["x"].real()));
+      });
   add(r, "ceil", "", "a whole number", "The smallest whole number that is not less.", "ceil(2.2)",
-      [](Call& c) -> Result<Value> { return c["x"].is(Value::Kind::integer) ? Result<Value>(c["x"]) : whole(std::ceil(c["x"].real())); });
+      [](Call& c) -> Result<Value> {
+        return c["x"].is(Value::Kind::integer) ? Result<Value>(c["x"]) : whole(std::ceil(c["x"].real()));
+      });
   add(r, "abs", "", "a number that is not negative", "The absolute value.", "abs(-3)", [](Call& c) -> Result<Value> {
     const Value& x = c["x"];
     if (x.is(Value::Kind::real)) return Value(std::abs(x.real()));
     if (x.integer() == INT64_MIN) return Error{errors::script_overflow, "the absolute value does not fit in 64 bits"};
     return Value(std::abs(x.integer()));
   });
-  r.add({.name = "round", .group = "mathematics",
+  r.add({.name = "round",
+         .group = "mathematics",
          .parameters = {{.name = "x", .type = Type::number},
-                        {.name = "digits", .type = Type::integer, .doc = "after the decimal point", .default_value = Value(), .limits = {-300, 300}}},
-         .returns = "a whole number, or with digits a number of the same kind", .doc = "Rounds, halves to the even neighbour.",
-         .example = "round(2.345, 2)", .errors = {errors::script_overflow}, .function = round_number});
+                        {.name = "digits",
+                         .type = Type::integer,
+                         .doc = "after the decimal point",
+                         .default_value = Value(),
+                         .limits = {-300, 300}}},
+         .returns = "a whole number, or with digits a number of the same kind",
+         .doc = "Rounds, halves to the even neighbour.",
+         .example = "round(2.345, 2)",
+         .errors = {errors::script_overflow},
+         .function = round_number});
 }
 
 }  // namespace aresta::script

@@ -16,18 +16,21 @@ namespace {
 Status expect_count(const std::string& name, const std::vector<Value>& arguments, std::size_t low, std::size_t high) {
   if (arguments.size() >= low && arguments.size() <= high) return {};
   const std::string wanted = low == high ? std::to_string(low) : std::to_string(low) + " to " + std::to_string(high);
-  return Error{errors::script_type, "." + name + " takes " + wanted + (low == high && low == 1 ? " argument, " : " arguments, ") +
-                                        std::to_string(arguments.size()) + (arguments.size() == 1 ? " was given" : " were given")};
+  return Error{errors::script_type,
+               "." + name + " takes " + wanted + (low == high && low == 1 ? " argument, " : " arguments, ") +
+                   std::to_string(arguments.size()) + (arguments.size() == 1 ? " was given" : " were given")};
 }
 
 Status expect_texts(const std::string& name, const std::vector<Value>& arguments) {
   for (const Value& v : arguments) {
-    if (!v.is(Kind::string)) return Error{errors::script_type, "." + name + " takes a text, not " + document::given_text(v)};
+    if (!v.is(Kind::string))
+      return Error{errors::script_type, "." + name + " takes a text, not " + document::given_text(v)};
   }
   return {};
 }
 
-Status list_method(const std::shared_ptr<document::List>& list, const std::string& name, std::vector<Value> a, Value& out) {
+Status list_method(const std::shared_ptr<document::List>& list, const std::string& name, std::vector<Value> a,
+                   Value& out) {
   auto& items = list->values;
   const auto full = [&](std::size_t more) { return items.size() + more > max_items; };
   const Error too_long{errors::script_too_large, "the list would be too long"};
@@ -50,7 +53,8 @@ Status list_method(const std::shared_ptr<document::List>& list, const std::strin
     if (!a[0].is(Kind::integer)) return Error{errors::script_type, ".insert takes a whole number and a value"};
     if (full(1)) return too_long;
     const auto n = static_cast<std::int64_t>(items.size());
-    const std::int64_t i = a[0].integer() < 0 ? std::max<std::int64_t>(a[0].integer(), -n) + n : std::min(a[0].integer(), n);
+    const std::int64_t i =
+        a[0].integer() < 0 ? std::max<std::int64_t>(a[0].integer(), -n) + n : std::min(a[0].integer(), n);
     items.insert(items.begin() + i, std::move(a[1]));
     return {};
   }
@@ -133,7 +137,8 @@ Status join_texts(const std::string& separator, const Value& list, Value& out) {
   std::string text;
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (!items[i].is(Kind::string)) {
-      return Error{errors::script_type, ".join takes a list of texts; item " + std::to_string(i) + " is " + document::given_text(items[i])};
+      return Error{errors::script_type,
+                   ".join takes a list of texts; item " + std::to_string(i) + " is " + document::given_text(items[i])};
     }
     if (text.size() + separator.size() + items[i].string().size() > max_text) {
       return Error{errors::script_too_large, "the text would be too long"};
@@ -214,7 +219,8 @@ Result<std::string> format(const Value& value, std::string_view spec) {
   if (i < spec.size() && spec[i] == '0') zero = true, ++i;
   const auto digits = [&](std::size_t& into) {
     const std::size_t first = i;
-    while (i < spec.size() && spec[i] >= '0' && spec[i] <= '9' && i - first < 4) into = 10 * into + static_cast<std::size_t>(spec[i++] - '0');
+    while (i < spec.size() && spec[i] >= '0' && spec[i] <= '9' && i - first < 4)
+      into = 10 * into + static_cast<std::size_t>(spec[i++] - '0');
     return i > first;
   };
   digits(width);
@@ -236,7 +242,9 @@ Result<std::string> format(const Value& value, std::string_view spec) {
     }
     text = std::to_string(value.is(Kind::boolean) ? std::int64_t{value.boolean()} : value.integer());
   } else if (type == 'f' || type == 'e' || type == 'g') {
-    if (!number) return Error{errors::script_type, std::string("the format '") + type + "' takes a number, not " + document::given_text(value)};
+    if (!number)
+      return Error{errors::script_type,
+                   std::string("the format '") + type + "' takes a number, not " + document::given_text(value)};
     const auto style = type == 'f'   ? std::chars_format::fixed
                        : type == 'e' ? std::chars_format::scientific
                                      : std::chars_format::general;

@@ -17,10 +17,18 @@ namespace {
 
 constexpr int max_compare_depth = 200;
 
-bool whole(const Value& v) { return v.is(Kind::integer) || v.is(Kind::boolean); }
-bool numeric(const Value& v) { return v.is_number() || v.is(Kind::boolean); }
-std::int64_t as_integer(const Value& v) { return v.is(Kind::boolean) ? std::int64_t{v.boolean()} : v.integer(); }
-double as_real(const Value& v) { return v.is(Kind::real) ? v.real() : static_cast<double>(as_integer(v)); }
+bool whole(const Value& v) {
+  return v.is(Kind::integer) || v.is(Kind::boolean);
+}
+bool numeric(const Value& v) {
+  return v.is_number() || v.is(Kind::boolean);
+}
+std::int64_t as_integer(const Value& v) {
+  return v.is(Kind::boolean) ? std::int64_t{v.boolean()} : v.integer();
+}
+double as_real(const Value& v) {
+  return v.is(Kind::real) ? v.real() : static_cast<double>(as_integer(v));
+}
 
 Error overflow_of_integers(Op op) {
   return {.code = errors::script_overflow,
@@ -75,16 +83,22 @@ Status integer_arithmetic(Op op, const Value& a, const Value& b, Value& out) {
     case Op::modulo:
       if (y == 0) return division_by_zero(a);
       if (y == -1) {  // the one case where the processor's division overflows
-        if (op == Op::modulo) r = 0;
-        else if (__builtin_sub_overflow(std::int64_t{0}, x, &r)) return overflow_of_integers(op);
+        if (op == Op::modulo)
+          r = 0;
+        else if (__builtin_sub_overflow(std::int64_t{0}, x, &r))
+          return overflow_of_integers(op);
         break;
       }
       r = op == Op::modulo ? x % y : x / y;
       if (x % y != 0 && (x % y < 0) != (y < 0)) r += op == Op::modulo ? y : -1;
       break;
-    case Op::bit_and: r = x & y; break;
-    case Op::power: return integer_power(x, y, out);
-    default: return no_such_operation(op, a, b);
+    case Op::bit_and:
+      r = x & y;
+      break;
+    case Op::power:
+      return integer_power(x, y, out);
+    default:
+      return no_such_operation(op, a, b);
   }
   out = r;
   return {};
@@ -94,9 +108,15 @@ Status real_arithmetic(Op op, const Value& a, const Value& b, Value& out) {
   const double x = as_real(a), y = as_real(b);
   double r = 0;
   switch (op) {
-    case Op::add: r = x + y; break;
-    case Op::subtract: r = x - y; break;
-    case Op::multiply: r = x * y; break;
+    case Op::add:
+      r = x + y;
+      break;
+    case Op::subtract:
+      r = x - y;
+      break;
+    case Op::multiply:
+      r = x * y;
+      break;
     case Op::divide:
       if (y == 0) return division_by_zero(a);
       r = x / y;
@@ -112,11 +132,13 @@ Status real_arithmetic(Op op, const Value& a, const Value& b, Value& out) {
     case Op::power:
       if (x == 0 && y < 0) return Error{errors::script_zero_division, "0 has no negative power"};
       if (x < 0 && y != std::floor(y)) {
-        return Error{errors::script_value, "a negative number has no real power with the exponent " + document::repr(b)};
+        return Error{errors::script_value,
+                     "a negative number has no real power with the exponent " + document::repr(b)};
       }
       r = std::pow(x, y);
       break;
-    default: return no_such_operation(op, a, b);
+    default:
+      return no_such_operation(op, a, b);
   }
   if (!std::isfinite(r) && std::isfinite(x) && std::isfinite(y)) {
     return Error{errors::script_overflow,
@@ -130,7 +152,8 @@ Status repeat(const Value& sequence, std::int64_t times, Value& out) {
   const std::uint64_t n = times < 0 ? 0 : static_cast<std::uint64_t>(times);
   if (sequence.is(Kind::string)) {
     const std::string text = sequence.string();
-    if (!text.empty() && n > max_text / text.size()) return Error{errors::script_too_large, "the text would be too long"};
+    if (!text.empty() && n > max_text / text.size())
+      return Error{errors::script_too_large, "the text would be too long"};
     std::string r;
     r.reserve(text.size() * n);
     for (std::uint64_t i = 0; i < n && !text.empty(); ++i) r += text;
@@ -138,7 +161,8 @@ Status repeat(const Value& sequence, std::int64_t times, Value& out) {
     return {};
   }
   const auto& items = sequence.items();
-  if (!items.empty() && n > max_items / items.size()) return Error{errors::script_too_large, "the list would be too long"};
+  if (!items.empty() && n > max_items / items.size())
+    return Error{errors::script_too_large, "the list would be too long"};
   std::vector<Value> r;
   r.reserve(items.size() * n);
   for (std::uint64_t i = 0; i < n && !items.empty(); ++i) r.insert(r.end(), items.begin(), items.end());
@@ -148,11 +172,13 @@ Status repeat(const Value& sequence, std::int64_t times, Value& out) {
 
 Status join(const Value& a, const Value& b, Value& out) {
   if (a.is(Kind::string)) {
-    if (a.string().size() + b.string().size() > max_text) return Error{errors::script_too_large, "the text would be too long"};
+    if (a.string().size() + b.string().size() > max_text)
+      return Error{errors::script_too_large, "the text would be too long"};
     out = a.string() + b.string();
     return {};
   }
-  if (a.items().size() + b.items().size() > max_items) return Error{errors::script_too_large, "the list would be too long"};
+  if (a.items().size() + b.items().size() > max_items)
+    return Error{errors::script_too_large, "the list would be too long"};
   std::vector<Value> r;
   r.reserve(a.items().size() + b.items().size());
   r.insert(r.end(), a.items().begin(), a.items().end());
@@ -162,10 +188,14 @@ Status join(const Value& a, const Value& b, Value& out) {
 }
 
 Status shape_operation(Op op, const Value& a, const Value& b, Session& session, Value& out) {
-  const char* name = op == Op::add ? "union" : op == Op::subtract ? "difference" : op == Op::bit_and ? "intersection" : nullptr;
+  const char* name = op == Op::add        ? "union"
+                     : op == Op::subtract ? "difference"
+                     : op == Op::bit_and  ? "intersection"
+                                          : nullptr;
   const document::Command* command = name != nullptr ? session.registry->find(name) : nullptr;
   if (command == nullptr) return no_such_operation(op, a, b);
-  ARESTA_TRY(out, document::invoke(*command, {.positional = {a, b}, .keywords = {{"regularise", Value(true)}}}, session));
+  ARESTA_TRY(out,
+             document::invoke(*command, {.positional = {a, b}, .keywords = {{"regularise", Value(true)}}}, session));
   return {};
 }
 
@@ -222,11 +252,13 @@ Status contains(const Value& needle, const Value& container, bool& out) {
       const bool inside = r.step > 0 ? i >= r.start && i < r.stop : i <= r.start && i > r.stop;
       const std::uint64_t offset = r.step > 0 ? static_cast<std::uint64_t>(i) - static_cast<std::uint64_t>(r.start)
                                               : static_cast<std::uint64_t>(r.start) - static_cast<std::uint64_t>(i);
-      const std::uint64_t step = r.step > 0 ? static_cast<std::uint64_t>(r.step) : ~static_cast<std::uint64_t>(r.step) + 1;
+      const std::uint64_t step =
+          r.step > 0 ? static_cast<std::uint64_t>(r.step) : ~static_cast<std::uint64_t>(r.step) + 1;
       out = inside && offset % step == 0;
       return {};
     }
-    default: return no_such_operation(Op::in, needle, container);
+    default:
+      return no_such_operation(Op::in, needle, container);
   }
 }
 
@@ -241,8 +273,12 @@ Status less(const Value& a, const Value& b, bool& out) {
 
 Status binary(Op op, const Value& a, const Value& b, Session& session, Value& out) {
   switch (op) {
-    case Op::equal: out = document::equal(a, b); return {};
-    case Op::not_equal: out = !document::equal(a, b); return {};
+    case Op::equal:
+      out = document::equal(a, b);
+      return {};
+    case Op::not_equal:
+      out = !document::equal(a, b);
+      return {};
     case Op::less:
     case Op::less_equal:
     case Op::greater:
@@ -265,9 +301,14 @@ Status binary(Op op, const Value& a, const Value& b, Session& session, Value& ou
       out = found == (op == Op::in);
       return {};
     }
-    case Op::is: out = a.identical(b); return {};
-    case Op::is_not: out = !a.identical(b); return {};
-    default: break;
+    case Op::is:
+      out = a.identical(b);
+      return {};
+    case Op::is_not:
+      out = !a.identical(b);
+      return {};
+    default:
+      break;
   }
   if (numeric(a) && numeric(b)) {
     if (whole(a) && whole(b)) return integer_arithmetic(op, a, b, out);

@@ -15,7 +15,8 @@ inline constexpr std::uint64_t max_text = std::uint64_t{1} << 26;
 /// a op b into `out` (which may be a or b). + - & of shapes are the regularised union, difference and intersection of
 /// the session's registry. Errors: script.type, script.zero_division, script.overflow, script.too_large, and the
 /// booleans' own.
-Status binary(Op op, const document::Value& a, const document::Value& b, document::Session& session, document::Value& out);
+Status binary(Op op, const document::Value& a, const document::Value& b, document::Session& session,
+              document::Value& out);
 
 Status negate(const document::Value& a, document::Value& out);
 

@@ -15,24 +15,34 @@ struct BinaryOp {
   const char* text;
   Op op;
 };
-constexpr std::array binary_ops = {
-    BinaryOp{"+", Op::add},    BinaryOp{"-", Op::subtract},        BinaryOp{"*", Op::multiply}, BinaryOp{"/", Op::divide},
-    BinaryOp{"//", Op::floor_divide}, BinaryOp{"%", Op::modulo}, BinaryOp{"**", Op::power}, BinaryOp{"&", Op::bit_and},
-    BinaryOp{"==", Op::equal}, BinaryOp{"!=", Op::not_equal},      BinaryOp{"<", Op::less},     BinaryOp{"<=", Op::less_equal},
-    BinaryOp{">", Op::greater}, BinaryOp{">=", Op::greater_equal}, BinaryOp{"in", Op::in}, BinaryOp{"not in", Op::not_in},
-    BinaryOp{"is", Op::is},    BinaryOp{"is not", Op::is_not}};
+constexpr std::array binary_ops = {BinaryOp{"+", Op::add},           BinaryOp{"-", Op::subtract},
+                                   BinaryOp{"*", Op::multiply},      BinaryOp{"/", Op::divide},
+                                   BinaryOp{"//", Op::floor_divide}, BinaryOp{"%", Op::modulo},
+                                   BinaryOp{"**", Op::power},        BinaryOp{"&", Op::bit_and},
+                                   BinaryOp{"==", Op::equal},        BinaryOp{"!=", Op::not_equal},
+                                   BinaryOp{"<", Op::less},          BinaryOp{"<=", Op::less_equal},
+                                   BinaryOp{">", Op::greater},       BinaryOp{">=", Op::greater_equal},
+                                   BinaryOp{"in", Op::in},           BinaryOp{"not in", Op::not_in},
+                                   BinaryOp{"is", Op::is},           BinaryOp{"is not", Op::is_not}};
 
 std::string shown(const Token& token) {
   switch (token.kind) {
-    case TokenKind::newline: return "the end of the line";
-    case TokenKind::indent: return "an indented line";
-    case TokenKind::dedent: return "the end of the block";
-    case TokenKind::end: return "the end of the script";
+    case TokenKind::newline:
+      return "the end of the line";
+    case TokenKind::indent:
+      return "an indented line";
+    case TokenKind::dedent:
+      return "the end of the block";
+    case TokenKind::end:
+      return "the end of the script";
     case TokenKind::integer:
-    case TokenKind::real: return "a number";
+    case TokenKind::real:
+      return "a number";
     case TokenKind::string:
-    case TokenKind::formatted: return "a string";
-    default: return "'" + token.text + "'";
+    case TokenKind::formatted:
+      return "a string";
+    default:
+      return "'" + token.text + "'";
   }
 }
 
@@ -93,7 +103,9 @@ class Parser {
   Error fail_at(Place place, const ErrorCode& code, std::string message) const {
     return located({code, std::move(message)}, file_, place);
   }
-  Error fail(const ErrorCode& code, std::string message) const { return fail_at(token().place, code, std::move(message)); }
+  Error fail(const ErrorCode& code, std::string message) const {
+    return fail_at(token().place, code, std::move(message));
+  }
   Status expect(const char* text, const char* where) {
     if (accept(text)) return {};
     return fail(errors::script_syntax, std::string("expected '") + text + "' " + where + ", not " + shown(token()));
@@ -128,7 +140,8 @@ class Parser {
     }
     if (at(TokenKind::end)) return {};
     if (at(TokenKind::name) && token(0).place.line == last_place_.line && last_was_name_) {
-      return fail(errors::script_syntax, "unexpected " + shown(token()) + ": a command's arguments go in brackets, as in name(1, 2)");
+      return fail(errors::script_syntax,
+                  "unexpected " + shown(token()) + ": a command's arguments go in brackets, as in name(1, 2)");
     }
     return fail(errors::script_syntax, "unexpected " + shown(token()));
   }
@@ -219,7 +232,8 @@ class Parser {
         return {};
       }
       if (word == "from" || word == "import") return import_statement();
-      if (word == "elif" || word == "else") return fail(errors::script_syntax, "'" + word + "' without an if before it");
+      if (word == "elif" || word == "else")
+        return fail(errors::script_syntax, "'" + word + "' without an if before it");
       if (word == "def" || word == "class" || word == "return" || word == "try" || word == "except" || word == "with" ||
           word == "raise" || word == "del" || word == "global" || word == "nonlocal" || word == "yield" ||
           word == "async" || word == "await" || word == "finally") {
@@ -230,7 +244,8 @@ class Parser {
 
     ExprPtr first;
     ARESTA_CHECK(expression_list(first));
-    if (at(":")) return fail(errors::script_unsupported, "annotated assignments are Python, but not part of this language");
+    if (at(":"))
+      return fail(errors::script_unsupported, "annotated assignments are Python, but not part of this language");
     if (at("=")) {
       s.kind = StmtKind::assign;
       s.targets.push_back(std::move(first));
@@ -250,7 +265,8 @@ class Parser {
       for (const BinaryOp& b : binary_ops) {
         if (op != b.text || b.op > Op::bit_and) continue;
         if (first->kind != ExprKind::name && first->kind != ExprKind::index) {
-          return fail(errors::script_syntax, "only a variable or an item of a list can stand left of '" + token().text + "'");
+          return fail(errors::script_syntax,
+                      "only a variable or an item of a list can stand left of '" + token().text + "'");
         }
         s.kind = StmtKind::augment;
         s.op = b.op;
@@ -272,10 +288,12 @@ class Parser {
   /// `from aresta import *` makes the same text run in Python; here everything is there already.
   Status import_statement() {
     const Place place = token().place;
-    const bool ours = at("from") && token(1).kind == TokenKind::name && token(1).text == "aresta" && at("import", 2) && at("*", 3);
+    const bool ours =
+        at("from") && token(1).kind == TokenKind::name && token(1).text == "aresta" && at("import", 2) && at("*", 3);
     if (!ours) {
-      return fail_at(place, errors::script_unsupported,
-                     "only 'from aresta import *' can be imported; mathematics (pi, sqrt, sin, ...) is there without it");
+      return fail_at(
+          place, errors::script_unsupported,
+          "only 'from aresta import *' can be imported; mathematics (pi, sqrt, sin, ...) is there without it");
     }
     for (int i = 0; i < 4; ++i) next();
     return {};
@@ -284,14 +302,17 @@ class Parser {
   Status check_target(Expr& e) const {
     switch (e.kind) {
       case ExprKind::name:
-      case ExprKind::index: return {};
+      case ExprKind::index:
+        return {};
       case ExprKind::list:
       case ExprKind::tuple:
         if (e.children.empty()) break;
         for (const ExprPtr& c : e.children) ARESTA_CHECK(check_target(*c));
         return {};
-      case ExprKind::slice: return fail_at(e.place, errors::script_unsupported, "a slice cannot be assigned to");
-      default: break;
+      case ExprKind::slice:
+        return fail_at(e.place, errors::script_unsupported, "a slice cannot be assigned to");
+      default:
+        break;
     }
     return fail_at(e.place, errors::script_syntax,
                    e.kind == ExprKind::compare ? "a comparison cannot be assigned to"
@@ -312,7 +333,8 @@ class Parser {
       comma = at(",");
     } while (accept(","));
     ARESTA_CHECK(expect("in", "after the variables of a for"));
-    if (items.empty()) return fail_at(place, errors::script_syntax, "a for needs a variable, as in 'for i in range(3)'");
+    if (items.empty())
+      return fail_at(place, errors::script_syntax, "a for needs a variable, as in 'for i in range(3)'");
     if (items.size() == 1 && !comma) {
       out = std::move(items[0]);
     } else {
@@ -342,7 +364,8 @@ class Parser {
   }
 
   bool ends_list() const {
-    return at(TokenKind::newline) || at(TokenKind::end) || at("=") || at(")") || at("]") || at("}") || at(":") || at(";");
+    return at(TokenKind::newline) || at(TokenKind::end) || at("=") || at(")") || at("]") || at("}") || at(":") ||
+           at(";");
   }
 
   Status expression(ExprPtr& out) {
@@ -459,8 +482,8 @@ class Parser {
     ARESTA_CHECK(chain(out, {"&"}, &Parser::sum));
     for (const char* op : {"|", "^", "<<", ">>"}) {
       if (at(op)) {
-        return fail(errors::script_unsupported,
-                    std::string("the operator '") + op + "' is not part of this language (union is +, intersection is &)");
+        return fail(errors::script_unsupported, std::string("the operator '") + op +
+                                                    "' is not part of this language (union is +, intersection is &)");
       }
     }
     return {};
@@ -517,13 +540,15 @@ class Parser {
         ARESTA_CHECK(subscript(out, place));
       } else if (at(".")) {
         next();
-        if (!at(TokenKind::name)) return fail(errors::script_syntax, "expected a name after '.', not " + shown(token()));
+        if (!at(TokenKind::name))
+          return fail(errors::script_syntax, "expected a name after '.', not " + shown(token()));
         ExprPtr e = make(ExprKind::method, token().place);
         e->text = token().text;
         next();
         if (!at("(")) {
-          return fail_at(place, errors::script_unsupported,
-                         "values have no attributes in this language, as in '." + e->text + "'; use a command, as in volume(x)");
+          return fail_at(
+              place, errors::script_unsupported,
+              "values have no attributes in this language, as in '." + e->text + "'; use a command, as in volume(x)");
         }
         e->children.push_back(std::move(out));
         ARESTA_CHECK(arguments(*e));
@@ -616,7 +641,8 @@ class Parser {
         next();
         return {};
       case TokenKind::string:
-      case TokenKind::formatted: return strings(out);
+      case TokenKind::formatted:
+        return strings(out);
       case TokenKind::name:
         out = make(ExprKind::name, place);
         out->text = t.text;
@@ -636,9 +662,11 @@ class Parser {
       case TokenKind::op:
         if (t.text == "(") return bracketed(out, place, true);
         if (t.text == "[") return bracketed(out, place, false);
-        if (t.text == "{") return fail(errors::script_unsupported, "'{' (dictionaries and sets) is not part of this language");
+        if (t.text == "{")
+          return fail(errors::script_unsupported, "'{' (dictionaries and sets) is not part of this language");
         break;
-      default: break;
+      default:
+        break;
     }
     return fail(errors::script_syntax, "expected a value, not " + shown(t));
   }
@@ -719,7 +747,8 @@ class Parser {
         plain += raw[i++];
         continue;
       }
-      if (raw[i] == '}') return fail_at(t.place, errors::script_syntax, "a single '}' in a formatted string; write '}}'");
+      if (raw[i] == '}')
+        return fail_at(t.place, errors::script_syntax, "a single '}' in a formatted string; write '}}'");
       if (raw[i] != '{') {
         plain += raw[i];
         continue;
@@ -744,15 +773,18 @@ class Parser {
           colon = end;
         }
       }
-      if (end >= raw.size()) return fail_at(t.place, errors::script_syntax, "a '{' in this formatted string is never closed");
+      if (end >= raw.size())
+        return fail_at(t.place, errors::script_syntax, "a '{' in this formatted string is never closed");
       const std::size_t stop = colon == std::string::npos ? end : colon;
       if (raw.find_first_not_of(" \t\r\n", i + 1) >= stop) {
         return fail_at(t.place, errors::script_syntax, "nothing stands between '{' and '}' in this formatted string");
       }
       Place place = t.place;
       for (std::size_t k = 0; k <= i; ++k) {
-        if (raw[k] == '\n') place = {place.line + 1, 1};
-        else if ((static_cast<unsigned char>(raw[k]) & 0xc0) != 0x80) ++place.column;
+        if (raw[k] == '\n')
+          place = {place.line + 1, 1};
+        else if ((static_cast<unsigned char>(raw[k]) & 0xc0) != 0x80)
+          ++place.column;
       }
       // In brackets, so that it may go over lines; the place is shifted back by the bracket.
       --place.column;

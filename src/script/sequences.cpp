@@ -24,7 +24,8 @@ std::vector<std::size_t> character_starts(const std::string& text) {
 }
 
 Error no_items(const Value& v) {
-  return {errors::script_type, std::string(document::kind_name(v)) + " has no items: " + document::repr(v, document::Digits::shortest, 60)};
+  return {errors::script_type,
+          std::string(document::kind_name(v)) + " has no items: " + document::repr(v, document::Digits::shortest, 60)};
 }
 
 /// A key, counted from the end when negative, as a place in [0, n).
@@ -36,9 +37,10 @@ Status place_of(const Value& container, const Value& key, std::uint64_t n, std::
   const bool inside = i >= 0 ? static_cast<std::uint64_t>(i) < n : ~static_cast<std::uint64_t>(i) < n;
   if (!inside) {
     const std::string kind = document::kind_name(container);
-    return Error{errors::script_index, "the index " + std::to_string(i) + " is outside of " + kind + " of " +
-                                           std::to_string(n) + (n == 1 ? " item" : " items") +
-                                           (n > 0 && i > 0 && static_cast<std::uint64_t>(i) == n ? " (items are counted from 0)" : "")};
+    return Error{errors::script_index,
+                 "the index " + std::to_string(i) + " is outside of " + kind + " of " + std::to_string(n) +
+                     (n == 1 ? " item" : " items") +
+                     (n > 0 && i > 0 && static_cast<std::uint64_t>(i) == n ? " (items are counted from 0)" : "")};
   }
   out = i >= 0 ? static_cast<std::uint64_t>(i) : n + static_cast<std::uint64_t>(i);
   return {};
@@ -54,9 +56,12 @@ Result<std::uint64_t> length(const Value& v) {
       return n;
     }
     case Kind::list:
-    case Kind::tuple: return std::uint64_t{v.items().size()};
-    case Kind::range: return v.range().size();
-    default: return Error{errors::script_type, std::string(document::kind_name(v)) + " has no length"};
+    case Kind::tuple:
+      return std::uint64_t{v.items().size()};
+    case Kind::range:
+      return v.range().size();
+    default:
+      return Error{errors::script_type, std::string(document::kind_name(v)) + " has no length"};
   }
 }
 
@@ -64,11 +69,13 @@ Result<std::vector<Value>> items_of(const Value& v) {
   std::vector<Value> out;
   switch (v.kind()) {
     case Kind::list:
-    case Kind::tuple: return v.items();
+    case Kind::tuple:
+      return v.items();
     case Kind::range: {
       const IntegerRange& r = v.range();
       const std::uint64_t n = r.size();
-      if (n > max_items) return Error{errors::script_too_large, "a range of " + std::to_string(n) + " numbers is too long for a list"};
+      if (n > max_items)
+        return Error{errors::script_too_large, "a range of " + std::to_string(n) + " numbers is too long for a list"};
       out.reserve(n);
       for (std::uint64_t i = 0; i < n; ++i) out.emplace_back(r.at(i));
       return out;
@@ -81,8 +88,9 @@ Result<std::vector<Value>> items_of(const Value& v) {
       }
       return out;
     }
-    default: return Error{errors::script_type, std::string(document::kind_name(v)) + " cannot be gone through item by item: " +
-                                                   document::repr(v, document::Digits::shortest, 60)};
+    default:
+      return Error{errors::script_type, std::string(document::kind_name(v)) + " cannot be gone through item by item: " +
+                                            document::repr(v, document::Digits::shortest, 60)};
   }
 }
 
@@ -107,13 +115,15 @@ Status index(const Value& container, const Value& key, Value& out) {
       out = container.string().substr(starts[place], starts[place + 1] - starts[place]);
       return {};
     }
-    default: return no_items(container);
+    default:
+      return no_items(container);
   }
 }
 
 Status assign_index(const Value& container, const Value& key, const Value& value) {
   if (!container.is(Kind::list)) {
-    return Error{errors::script_type, std::string("the items of ") + document::kind_name(container) + " cannot be changed"};
+    return Error{errors::script_type,
+                 std::string("the items of ") + document::kind_name(container) + " cannot be changed"};
   }
   std::uint64_t place = 0;
   auto& items = container.list_pointer()->values;

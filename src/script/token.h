@@ -18,16 +18,26 @@ struct Place {
 };
 
 enum class TokenKind : std::uint8_t {
-  name, keyword, integer, real, string, formatted, op, newline, indent, dedent, end
+  name,
+  keyword,
+  integer,
+  real,
+  string,
+  formatted,
+  op,
+  newline,
+  indent,
+  dedent,
+  end
 };
 
 struct Token {
   TokenKind kind = TokenKind::end;
   Place place;
-  std::string text;          ///< name, keyword, operator; the characters of a string; the raw inside of a formatted one
+  std::string text;  ///< name, keyword, operator; the characters of a string; the raw inside of a formatted one
   std::int64_t integer = 0;
   double real = 0;
-  bool raw = false;          ///< of a formatted string: escapes are kept as they are
+  bool raw = false;  ///< of a formatted string: escapes are kept as they are
 };
 
 /// The tokens of a script, with indentation as indent and dedent and an end at the last. Lines are joined in brackets

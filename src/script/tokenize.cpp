@@ -14,19 +14,26 @@ constexpr std::size_t max_script_bytes = std::size_t{1} << 24;
 constexpr std::size_t max_bracket_depth = 100;
 constexpr std::size_t max_indent_depth = 50;
 
-constexpr std::array keywords = {
-    "False", "None",     "True",  "and",    "as",   "assert", "async",  "await",    "break", "class",  "continue", "def",
-    "del",   "elif",     "else",  "except", "finally", "for",  "from",  "global",   "if",    "import", "in",       "is",
-    "lambda", "nonlocal", "not",   "or",     "pass", "raise",  "return", "try",      "while", "with",   "yield"};
+constexpr std::array keywords = {"False",  "None",   "True",    "and",      "as",       "assert", "async",
+                                 "await",  "break",  "class",   "continue", "def",      "del",    "elif",
+                                 "else",   "except", "finally", "for",      "from",     "global", "if",
+                                 "import", "in",     "is",      "lambda",   "nonlocal", "not",    "or",
+                                 "pass",   "raise",  "return",  "try",      "while",    "with",   "yield"};
 
-constexpr std::array operators = {"**=", "//=", "<<=", ">>=", "...", "**", "//", "<<", ">>", "<=", ">=", "==", "!=", "->",
-                                  "+=",  "-=",  "*=",  "/=",  "%=",  "&=", "|=", "^=", ":=", "@=", "+",  "-",  "*",  "/",
-                                  "%",   "&",   "|",   "^",   "~",   "<",  ">",  "=",  "(",  ")",  "[",  "]",  "{",  "}",
-                                  ",",   ":",   ";",   ".",   "@"};
+constexpr std::array operators = {
+    "**=", "//=", "<<=", ">>=", "...", "**", "//", "<<", ">>", "<=", ">=", "==", "!=", "->", "+=", "-=",
+    "*=",  "/=",  "%=",  "&=",  "|=",  "^=", ":=", "@=", "+",  "-",  "*",  "/",  "%",  "&",  "|",  "^",
+    "~",   "<",   ">",   "=",   "(",   ")",  "[",  "]",  "{",  "}",  ",",  ":",  ";",  ".",  "@"};
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_hex(char c) { return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_hex(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+}
 
 void append_utf8(std::string& out, std::uint32_t code) {
   if (code < 0x80) {
@@ -134,7 +141,8 @@ class Tokenizer {
       push(TokenKind::dedent, place_);
     }
     if (indent != indents_.back()) {
-      return fail(errors::script_syntax, "this line's indentation matches no block above it (are tabs and spaces mixed?)");
+      return fail(errors::script_syntax,
+                  "this line's indentation matches no block above it (are tabs and spaces mixed?)");
     }
     return {};
   }
@@ -168,7 +176,8 @@ class Tokenizer {
     if (c == '"' || c == '\'') return read_string(place_, false, false);
     if (c == '\0') return fail(errors::script_not_text, "this is not a text file: it holds a zero byte");
     if (byte < 0x20 || byte == 0x7f) {
-      return fail(errors::script_not_text, "a control character (byte " + std::to_string(byte) + ") outside of a string");
+      return fail(errors::script_not_text,
+                  "a control character (byte " + std::to_string(byte) + ") outside of a string");
     }
     if (byte >= 0x80) {
       std::size_t n = 1;
@@ -198,12 +207,16 @@ class Tokenizer {
     if ((peek() == '"' || peek() == '\'') && word.size() <= 2) {
       bool raw = false, formatted = false, known = true;
       for (const char c : word) {
-        if (c == 'r' || c == 'R') raw = true;
-        else if (c == 'f' || c == 'F') formatted = true;
-        else if (c != 'u' && c != 'U') known = false;
+        if (c == 'r' || c == 'R')
+          raw = true;
+        else if (c == 'f' || c == 'F')
+          formatted = true;
+        else if (c != 'u' && c != 'U')
+          known = false;
       }
       if (known) return read_string(place, raw, formatted);
-      return fail_at(place, errors::script_unsupported, "strings with the prefix '" + std::string(word) + "' are not supported");
+      return fail_at(place, errors::script_unsupported,
+                     "strings with the prefix '" + std::string(word) + "' are not supported");
     }
     push(is_keyword(word) ? TokenKind::keyword : TokenKind::name, place, std::string(word));
     return {};
@@ -275,8 +288,9 @@ class Tokenizer {
     Token& token = push(TokenKind::integer, place);
     const auto r = std::from_chars(digits.data(), end, token.integer, base);
     if (r.ec == std::errc::result_out_of_range) {
-      return fail_at(place, errors::script_overflow,
-                     "the whole number does not fit in 64 bits; write it with a decimal point to make it a real number");
+      return fail_at(
+          place, errors::script_overflow,
+          "the whole number does not fit in 64 bits; write it with a decimal point to make it a real number");
     }
     if (r.ec != std::errc() || r.ptr != end) return fail_at(place, errors::script_syntax, "this is no number");
     return {};
@@ -314,7 +328,8 @@ class Tokenizer {
   Status read_operator() {
     const Place place = place_;
     const std::string_view rest = text_.substr(at_);
-    const auto found = std::find_if(operators.begin(), operators.end(), [&](const char* op) { return rest.starts_with(op); });
+    const auto found =
+        std::find_if(operators.begin(), operators.end(), [&](const char* op) { return rest.starts_with(op); });
     if (found == operators.end()) {
       return fail(errors::script_syntax, "unexpected character '" + std::string(1, peek()) + "'");
     }
@@ -380,20 +395,43 @@ Result<std::string> unescape(std::string_view raw, const std::string& file, Plac
       case '\r':
         if (i + 1 < raw.size() && raw[i + 1] == '\n') ++i;
         break;
-      case '\n': break;
-      case 'n': out += '\n'; break;
-      case 't': out += '\t'; break;
-      case 'r': out += '\r'; break;
-      case 'a': out += '\a'; break;
-      case 'b': out += '\b'; break;
-      case 'f': out += '\f'; break;
-      case 'v': out += '\v'; break;
+      case '\n':
+        break;
+      case 'n':
+        out += '\n';
+        break;
+      case 't':
+        out += '\t';
+        break;
+      case 'r':
+        out += '\r';
+        break;
+      case 'a':
+        out += '\a';
+        break;
+      case 'b':
+        out += '\b';
+        break;
+      case 'f':
+        out += '\f';
+        break;
+      case 'v':
+        out += '\v';
+        break;
       case '\\':
       case '\'':
-      case '"': out += c; break;
-      case 'x': hex_digits = 2; break;
-      case 'u': hex_digits = 4; break;
-      case 'U': hex_digits = 8; break;
+      case '"':
+        out += c;
+        break;
+      case 'x':
+        hex_digits = 2;
+        break;
+      case 'u':
+        hex_digits = 4;
+        break;
+      case 'U':
+        hex_digits = 8;
+        break;
       default:
         if (c >= '0' && c <= '7') {
           std::uint32_t code = 0;

@@ -34,15 +34,20 @@ TEST(Run, StandardInputAndDefinitions) {
 TEST(Run, ErrorsNameFileAndLine) {
   const Shell shell("apps_run_errors");
   put(shell.folder() / "seven.ars", "\n\n\n\n\n\nx = blok(1, 2, 3)\n");
-  expect_error(shell("aresta run seven.ars"), 1, "aresta: seven.ars:7:5: script.name: unknown name 'blok'; did you mean 'block'?");
+  expect_error(shell("aresta run seven.ars"), 1,
+               "aresta: seven.ars:7:5: script.name: unknown name 'blok'; did you mean 'block'?");
   put(shell.folder() / "size.ars", "x = block(1, -2, 3)\n");
-  expect_error(shell("aresta run size.ars"), 1, "aresta: size.ars:1:5: command.range: block: dy must be greater than 0, not -2, a whole number");
+  expect_error(shell("aresta run size.ars"), 1,
+               "aresta: size.ars:1:5: command.range: block: dy must be greater than 0, not -2, a whole number");
   put(shell.folder() / "type.ars", "x = block(1, 2)\n");
-  expect_error(shell("aresta run type.ars"), 1, "aresta: type.ars:1:5: command.missing_argument: block: 'dz' is missing");
+  expect_error(shell("aresta run type.ars"), 1,
+               "aresta: type.ars:1:5: command.missing_argument: block: 'dz' is missing");
   put(shell.folder() / "name.ars", "x = cylinder(1, 2, hight=3)\n");
-  expect_error(shell("aresta run name.ars"), 1, "aresta: name.ars:1:5: command.unknown_parameter: cylinder has no parameter 'hight'");
+  expect_error(shell("aresta run name.ars"), 1,
+               "aresta: name.ars:1:5: command.unknown_parameter: cylinder has no parameter 'hight'");
   put(shell.folder() / "text.ars", "x = volume('a')\n");
-  expect_error(shell("aresta run text.ars"), 1, "aresta: text.ars:1:5: command.type: volume: x must be a shape, not 'a', a text");
+  expect_error(shell("aresta run text.ars"), 1,
+               "aresta: text.ars:1:5: command.type: volume: x must be a shape, not 'a', a text");
   put(shell.folder() / "expect.ars", "expect(volume(block(1, 2, 3)), 7)\n");
   expect_error(shell("aresta run expect.ars"), 1, "aresta: expect.ars:1:1: script.expectation: expected 7, got 6.0");
   put(shell.folder() / "huge.ars", "x = block(1e300, 1, 1)\n");
@@ -53,7 +58,8 @@ TEST(Run, ErrorsNameFileAndLine) {
 
 TEST(Run, WhatIsNoScript) {
   const Shell shell("apps_run_no_script");
-  expect_error(shell("aresta run missing.ars"), 3, "aresta: file.unreadable: cannot read missing.ars: No such file or directory");
+  expect_error(shell("aresta run missing.ars"), 3,
+               "aresta: file.unreadable: cannot read missing.ars: No such file or directory");
   expect_error(shell("aresta run ."), 3, "aresta: file.unreadable: cannot read .: Is a directory");
   expect_error(shell("aresta run /dev/zero"), 3, "aresta: file.unreadable: cannot read /dev/zero: File too large");
   std::string bytes;
@@ -79,8 +85,9 @@ TEST(Run, WrongUsage) {
 
 TEST(Run, HelpIsForReaders) {
   const Shell shell("apps_help");
-  for (const char* command : {"--help", "run --help", "info --help", "check --help", "convert --help", "fragment --help", "boolean --help", "mesh --help",
-                              "render --help", "cut --help", "help --help", "help", "help block", "--version"}) {
+  for (const char* command :
+       {"--help", "run --help", "info --help", "check --help", "convert --help", "fragment --help", "boolean --help",
+        "mesh --help", "render --help", "cut --help", "help --help", "help", "help block", "--version"}) {
     const Outcome o = shell(std::string("aresta ") + command);
     EXPECT_EQ(o.status, 0) << command;
     EXPECT_EQ(o.err, "") << command;
@@ -92,13 +99,15 @@ TEST(Run, HelpIsForReaders) {
 
 TEST(Run, SummaryFile) {
   const Shell shell("apps_summary");
-  put(shell.folder() / "a.ars", "print('one')\nx = block(1, 2, 3)\n\ny = x - block(1, 1, 1)\nprint('two', volume(y), end='')\n");
+  put(shell.folder() / "a.ars",
+      "print('one')\nx = block(1, 2, 3)\n\ny = x - block(1, 1, 1)\nprint('two', volume(y), end='')\n");
   Outcome o = shell("aresta run a.ars --summary-file s.json --threads 1");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_EQ(o.out, "one\ntwo 5.0");
   const std::string json = text_of(shell.folder() / "s.json");
-  for (const char* part : {"\"version\"", "\"seconds\"", "\"peak_rss_bytes\"", "\"threads\": 1", "\"line\": 4", "\"command\": \"difference\"", "\"ok\": true",
-                           "\"one\"", "\"two 5.0\"", "\"regions\": 1", "\"shells\": 1", "\"volume\": 5.0", "\"findings\": 0"}) {
+  for (const char* part : {"\"version\"", "\"seconds\"", "\"peak_rss_bytes\"", "\"threads\": 1", "\"line\": 4",
+                           "\"command\": \"difference\"", "\"ok\": true", "\"one\"", "\"two 5.0\"", "\"regions\": 1",
+                           "\"shells\": 1", "\"volume\": 5.0", "\"findings\": 0"}) {
     EXPECT_NE(json.find(part), std::string::npos) << part << " in " << json;
   }
   // Also when the script fails; and never where it cannot be written.
@@ -106,7 +115,8 @@ TEST(Run, SummaryFile) {
   o = shell("aresta run bad.ars --summary-file t.json");
   EXPECT_EQ(o.status, 1);
   EXPECT_NE(text_of(shell.folder() / "t.json").find("bad.ars:2:5"), std::string::npos);
-  expect_error(shell("aresta run a.ars --summary-file missing/s.json"), 3, "aresta: file.unwritable: cannot write missing/s.json");
+  expect_error(shell("aresta run a.ars --summary-file missing/s.json"), 3,
+               "aresta: file.unwritable: cannot write missing/s.json");
   // As the output itself.
   o = shell("aresta run a.ars --json");
   EXPECT_EQ(o.status, 0);
@@ -117,8 +127,10 @@ TEST(Run, OutputThatCannotBeWritten) {
   const Shell shell("apps_output");
   put(shell.folder() / "a.ars", "print(1)\n");
   put(shell.folder() / "many.ars", "for i in range(1000000): print(i)\n");
-  expect_error(shell("aresta run a.ars > /dev/full"), 3, "aresta: file.unwritable: cannot write to standard output: No space left on device");
-  expect_error(shell("aresta run a.ars >&-"), 3, "aresta: file.unwritable: cannot write to standard output: it is closed");
+  expect_error(shell("aresta run a.ars > /dev/full"), 3,
+               "aresta: file.unwritable: cannot write to standard output: No space left on device");
+  expect_error(shell("aresta run a.ars >&-"), 3,
+               "aresta: file.unwritable: cannot write to standard output: it is closed");
   expect_error(shell("aresta --version > /dev/full; true"), 0, "aresta: file.unwritable");
   const Outcome o = shell("(aresta run many.ars; echo $? > status) | head -n 1");
   EXPECT_EQ(o.out, "0\n");
@@ -131,7 +143,8 @@ TEST(Run, InterruptsEndIt) {
   const Shell shell("apps_interrupt");
   put(shell.folder() / "loop.ars", "while True: pass\n");
   for (const char* signal : {"INT", "TERM", "HUP"}) {
-    const Outcome o = shell(std::string("'") + test::program().string() + "' run loop.ars --summary-file s.json & p=$!; sleep 0.3; kill -" + signal + " $p; wait $p");
+    const Outcome o = shell(std::string("'") + test::program().string() +
+                            "' run loop.ars --summary-file s.json & p=$!; sleep 0.3; kill -" + signal + " $p; wait $p");
     EXPECT_EQ(o.status, 130) << signal << o.err;
     EXPECT_NE(o.err.find("aresta: loop.ars:1:"), std::string::npos) << o.err;
     EXPECT_NE(o.err.find("cancelled"), std::string::npos) << o.err;
@@ -140,7 +153,8 @@ TEST(Run, InterruptsEndIt) {
 
 TEST(Run, AnInterruptStopsALongOperation) {
   const Shell shell("apps_interrupt_operation");
-  put(shell.folder() / "long.ars", "x = fragment(grid(block(1, 1, 1), n=(16, 16, 16), step=(1, 1, 1)))\nexport(x, 'x.brep')\n");
+  put(shell.folder() / "long.ars",
+      "x = fragment(grid(block(1, 1, 1), n=(16, 16, 16), step=(1, 1, 1)))\nexport(x, 'x.brep')\n");
   const Outcome o = shell("'" + test::program().string() + "' run long.ars & p=$!; sleep 1; kill -INT $p; wait $p");
   EXPECT_EQ(o.status, 130) << o.err;
   EXPECT_EQ(shell.files(), "long.ars\n") << "nothing half-written is left";
@@ -149,8 +163,10 @@ TEST(Run, AnInterruptStopsALongOperation) {
 TEST(Run, FullDisk) {
   if (::geteuid() != 0) GTEST_SKIP() << "mounting a small disk needs root";
   const Shell shell("apps_full_disk");
-  if (shell("mkdir small && mount -t tmpfs -o size=64k tmpfs small").status != 0) GTEST_SKIP() << "no small disk can be mounted here";
-  put(shell.folder() / "a.ars", "export(fragment(grid(block(1, 1, 1), n=(4, 4, 4), step=(2, 2, 2))), 'small/a.brep')\n");
+  if (shell("mkdir small && mount -t tmpfs -o size=64k tmpfs small").status != 0)
+    GTEST_SKIP() << "no small disk can be mounted here";
+  put(shell.folder() / "a.ars",
+      "export(fragment(grid(block(1, 1, 1), n=(4, 4, 4), step=(2, 2, 2))), 'small/a.brep')\n");
   const Outcome o = shell("aresta run a.ars; s=$?; ls small | wc -l; umount small; exit $s");
   EXPECT_EQ(o.status, 3) << o.err;
   EXPECT_EQ(o.out, "0\n") << "no half-written file is left";

@@ -18,15 +18,16 @@ class Thing : public Shape {
 const Command command{
     .name = "make",
     .group = "test",
-    .parameters = {{.name = "r", .type = Type::number, .doc = "radius", .unit = "length", .limits = positive},
-                   {.name = "at", .type = Type::point, .default_value = Value::tuple({0, 0, 0})},
-                   {.name = "axis", .type = Type::direction, .default_value = Value::tuple({0, 0, 1})},
-                   {.name = "patches", .type = Type::integer, .default_value = 1, .limits = {1, 64}},
-                   {.name = "kind", .type = Type::string, .default_value = "face", .choices = {"face", "edge", "vertex"}},
-                   {.name = "x", .type = Type::shape, .default_value = Value()},
-                   {.name = "matrix", .type = Type::numbers, .default_value = Value(), .size = 4},
-                   {.name = "path", .type = Type::points, .default_value = Value()},
-                   {.name = "flag", .type = Type::boolean, .default_value = false, .keyword_only = true}},
+    .parameters =
+        {{.name = "r", .type = Type::number, .doc = "radius", .unit = "length", .limits = positive},
+         {.name = "at", .type = Type::point, .default_value = Value::tuple({0, 0, 0})},
+         {.name = "axis", .type = Type::direction, .default_value = Value::tuple({0, 0, 1})},
+         {.name = "patches", .type = Type::integer, .default_value = 1, .limits = {1, 64}},
+         {.name = "kind", .type = Type::string, .default_value = "face", .choices = {"face", "edge", "vertex"}},
+         {.name = "x", .type = Type::shape, .default_value = Value()},
+         {.name = "matrix", .type = Type::numbers, .default_value = Value(), .size = 4},
+         {.name = "path", .type = Type::points, .default_value = Value()},
+         {.name = "flag", .type = Type::boolean, .default_value = false, .keyword_only = true}},
     .doc = "Makes a thing.",
     .example = "make(1)",
     .function = [](Call&) -> Result<Value> { return Value(); }};
@@ -38,7 +39,9 @@ const Command many{.name = "many",
                    .doc = "Takes many.",
                    .function = [](Call&) -> Result<Value> { return Value(); }};
 
-Value point(double x, double y, double z) { return Value::tuple({x, y, z}); }
+Value point(double x, double y, double z) {
+  return Value::tuple({x, y, z});
+}
 
 std::string message(const Command& c, Arguments arguments) {
   const auto bound = bind(c, std::move(arguments));
@@ -68,21 +71,27 @@ TEST(Bind, EachWayToGetItWrong) {
     Arguments arguments;
     std::string message;
   } rows[] = {
-      {{}, "command.missing_argument: make: 'r' is missing: a number; try: make(r, at=(0, 0, 0), axis=(0, 0, 1), patches=1, "
-           "kind='face', x=None, matrix=None, path=None, *, flag=False)"},
+      {{},
+       "command.missing_argument: make: 'r' is missing: a number; try: make(r, at=(0, 0, 0), axis=(0, 0, 1), "
+       "patches=1, "
+       "kind='face', x=None, matrix=None, path=None, *, flag=False)"},
       {{.positional = {0}}, "command.range: make: r must be greater than 0, not 0, a whole number"},
       {{.positional = {-1.5}}, "command.range: make: r must be greater than 0, not -1.5, a number"},
       {{.positional = {NAN}}, "command.not_finite: make: r must be a finite number, not nan, a number"},
       {{.positional = {INFINITY}}, "command.not_finite: make: r must be a finite number, not inf, a number"},
       {{.positional = {"2"}}, "command.type: make: r must be a number, not '2', a text"},
       {{.positional = {shape}}, "command.type: make: r must be a number, not <a thing>"},
-      {{.positional = {1, Value::tuple({1, 2})}}, "command.type: make: at must be a point (x, y, z), not (1, 2), a tuple"},
+      {{.positional = {1, Value::tuple({1, 2})}},
+       "command.type: make: at must be a point (x, y, z), not (1, 2), a tuple"},
       {{.positional = {1, Value::tuple({1, 2, "3"})}}, "command.type: make: at[2] must be a number, not '3', a text"},
-      {{.positional = {1, point(1, NAN, 2)}}, "command.not_finite: make: at[1] must be a finite number, not nan, a number"},
+      {{.positional = {1, point(1, NAN, 2)}},
+       "command.not_finite: make: at[1] must be a finite number, not nan, a number"},
       {{.positional = {1, point(0, 0, 0), point(0, 0, 0)}},
        "command.range: make: axis must be a direction (x, y, z), not all zero, not (0.0, 0.0, 0.0), a tuple"},
-      {{.positional = {1}, .keywords = {{"patches", 2.5}}}, "command.type: make: patches must be a whole number, not 2.5, a number"},
-      {{.positional = {1}, .keywords = {{"patches", 65}}}, "command.range: make: patches must be between 1 and 64, not 65, a whole number"},
+      {{.positional = {1}, .keywords = {{"patches", 2.5}}},
+       "command.type: make: patches must be a whole number, not 2.5, a number"},
+      {{.positional = {1}, .keywords = {{"patches", 65}}},
+       "command.range: make: patches must be between 1 and 64, not 65, a whole number"},
       {{.positional = {1}, .keywords = {{"kind", "edg"}}},
        "command.range: make: kind must be one of 'face', 'edge', 'vertex', not 'edg', a text; try: 'edge'"},
       {{.positional = {1}, .keywords = {{"x", 3}}}, "command.type: make: x must be a shape, not 3, a whole number"},
@@ -90,7 +99,8 @@ TEST(Bind, EachWayToGetItWrong) {
        "command.type: make: matrix must be a list of 4 numbers (it has 3), not [1, 2, 3], a list"},
       {{.positional = {1}, .keywords = {{"path", Value::list({point(0, 0, 0), 3})}}},
        "command.type: make: path[1] must be a point (x, y, z), not 3, a whole number"},
-      {{.positional = {1}, .keywords = {{"flag", 1}}}, "command.type: make: flag must be True or False, not 1, a whole number"},
+      {{.positional = {1}, .keywords = {{"flag", 1}}},
+       "command.type: make: flag must be True or False, not 1, a whole number"},
   };
   for (const auto& row : rows) EXPECT_EQ(message(command, row.arguments), row.message);
 
@@ -99,7 +109,8 @@ TEST(Bind, EachWayToGetItWrong) {
             "command.too_many_arguments: make takes at most 8 arguments, 9 were given; try: m");
   EXPECT_EQ(message(command, {.positional = {1}, .keywords = {{"pathces", 3}}}).substr(0, 85),
             "command.unknown_parameter: make has no parameter 'pathces'; did you mean 'patches'?; ");
-  EXPECT_EQ(message(command, {.positional = {1}, .keywords = {{"r", 3}}}).substr(0, 53), "command.repeated_argument: make: 'r' is given twice; ");
+  EXPECT_EQ(message(command, {.positional = {1}, .keywords = {{"r", 3}}}).substr(0, 53),
+            "command.repeated_argument: make: 'r' is given twice; ");
 }
 
 TEST(Bind, VariadicTakesTheRest) {
@@ -112,7 +123,8 @@ TEST(Bind, VariadicTakesTheRest) {
   EXPECT_EQ(call.string("name"), "A");
   EXPECT_EQ(message(many, {.positional = {shape, 3}}),
             "command.type: many: items[1] must be a shape or a list of shapes, not 3, a whole number");
-  EXPECT_EQ(message(many, {.positional = {Value::list({shape, 3})}}), "command.type: many: items[0][1] must be a shape, not 3, a whole number");
+  EXPECT_EQ(message(many, {.positional = {Value::list({shape, 3})}}),
+            "command.type: many: items[0][1] must be a shape, not 3, a whole number");
   EXPECT_EQ(message(many, {}), "");
 }
 

@@ -158,3 +158,35 @@ TEST(Measure, Huge) {
 TEST(Measure, Mirrored) {
   for (const Case& c : cases()) compare(c, Transform::reflection({0.3, 0, 0}, {1, 1, 0.2}), 1, 1e-10);
 }
+
+TEST(Measure, EdgesOffTheSurfaceCountByTheirFeet) {
+  // A sphere in two halves whose common edge leaves it by a hundredth of the radius, as edges with tolerances do: its
+  // feet divide the sphere, so that the halves' areas add up to the whole; by symmetry each is half of it.
+  const double r = 2, off = 1.02;
+  ModelBuilder b;
+  const VertexId v = b.add_vertex({r * off, 0, 0}, 0.1);
+  const EdgeId e = b.add_edge(v, v, b.add_curve(Circle{{}, r * off}), {0, 2 * pi}, 0.1);
+  // A wave about the equator at changing heights: feet on both sides of it, off the sphere by different distances.
+  const VertexId w = b.add_vertex({r * 1.01, 0, 0}, 0.1);
+  const EdgeId tilted = b.add_edge(
+      w, w,
+      b.add_curve(Ellipse{{{}, {1, 0, 0}, normalized({0, 1, 0.3}), normalized({0, -0.3, 1})}, r * 1.01, r * 0.98}),
+      {0, 2 * pi}, 0.1);
+  for (const EdgeId rim : {e, tilted}) {
+    for (const bool upper : {true, false}) {
+      b.begin_face(b.add_surface(Sphere{{}, r}), false, 0);
+      b.add_coedge(rim, !upper);
+      b.close_loop();
+      b.end_face();
+    }
+  }
+  const auto cells = b.find_cells(Context{});
+  ASSERT_TRUE(cells.ok()) << cells.error().to_line();
+  auto model = b.build(*cells, std::vector<bool>(cells->count, false));
+  ASSERT_TRUE(model.ok());
+  for (const FaceId f : model->topology().faces()) {
+    const auto m = measure(*model, f);
+    ASSERT_TRUE(m.ok());
+    EXPECT_NEAR(m->measure, 2 * pi * r * r, 1e-9) << "face " << f.value;
+  }
+}

@@ -88,7 +88,8 @@ std::vector<Row> rows() {
       {"print(**x)", "t.ars:1:7: script.unsupported: '**' before an argument"},
       {"(x := 3)", "t.ars:1:4: script.unsupported: ':=' is Python"},
       // Too deep.
-      {"x = " + times("(", 5000) + "1" + times(")", 5000), "t.ars:1:105: script.too_deep: brackets are nested more than 100 deep"},
+      {"x = " + times("(", 5000) + "1" + times(")", 5000),
+       "t.ars:1:105: script.too_deep: brackets are nested more than 100 deep"},
       {"x = " + times("-", 100000) + "1", "t.ars:1:153: script.too_deep"},
       {"x = " + times("not ", 100000) + "1", "t.ars:1:597: script.too_deep"},
       {"x = " + times("2 ** ", 100000) + "1", "t.ars:1:7"},
@@ -97,7 +98,8 @@ std::vector<Row> rows() {
       {times("if 1: ", 1), "t.ars:1:7: script.syntax: expected an indented block after the condition"},
       // Names.
       {"a = 1\nprint(b)", "t.ars:2:7: script.name: unknown name 'b'"},
-      {"volume_of_box = 1\nprint(volume_of_bx)", "t.ars:2:7: script.name: unknown name 'volume_of_bx'; did you mean 'volume_of_box'?"},
+      {"volume_of_box = 1\nprint(volume_of_bx)",
+       "t.ars:2:7: script.name: unknown name 'volume_of_bx'; did you mean 'volume_of_box'?"},
       {"x = squrt(2)", "t.ars:1:5: script.name: unknown name 'squrt'; did you mean 'sqrt'?"},
       {"print(x)\nx = 1", "t.ars:1:7: script.name: 'x' has no value yet: it is assigned further below"},
       {"y = [i for i in range(2)]\nprint(i)", "t.ars:2:7: script.name: unknown name 'i'"},
@@ -108,7 +110,9 @@ std::vector<Row> rows() {
       {"x = -'a'", "t.ars:1:5: script.type: '-' is not defined for a text"},
       {"x = +[]", "t.ars:1:5: script.type: '+' is not defined for a list"},
       {"x = 3(4)", "t.ars:1:5: script.type: this is 3, a whole number, and cannot be called"},
-      {"abs = 3\nabs(4)", "t.ars:2:1: script.type: 'abs' is 3, a whole number, and cannot be called; a variable of that name hides the command"},
+      {"abs = 3\nabs(4)",
+       "t.ars:2:1: script.type: 'abs' is 3, a whole number, and cannot be called; a variable of that name hides the "
+       "command"},
       {"x = 3[0]", "t.ars:1:6: script.type: a whole number has no items: 3"},
       {"x = [1]['a']", "t.ars:1:8: script.type: the index must be a whole number, not 'a', a text"},
       {"x = (1, 2)\nx[0] = 3", "t.ars:2:2: script.type: the items of a tuple cannot be changed"},
@@ -123,14 +127,16 @@ std::vector<Row> rows() {
       {"x = f'{1:zz}'", "t.ars:1:8: script.value: the format 'zz' is not known"},
       {"x = f'{\"a\":d}'", "t.ars:1:8: script.type: the format 'd' takes a whole number, not 'a', a text"},
       // Values.
-      {"x = [1, 2][2]", "t.ars:1:11: script.index: the index 2 is outside of a list of 2 items (items are counted from 0)"},
+      {"x = [1, 2][2]",
+       "t.ars:1:11: script.index: the index 2 is outside of a list of 2 items (items are counted from 0)"},
       {"x = [1, 2][-3]", "t.ars:1:11: script.index: the index -3 is outside of a list of 2 items"},
       {"x = [].pop()", "t.ars:1:8: script.index: the index -1 is outside of a list of 0 items"},
       {"x = 1 / 0", "t.ars:1:7: script.zero_division: 1, a whole number, is divided by zero"},
       {"x = 1 // 0.0", "t.ars:1:7: script.zero_division"},
       {"x = 5 % 0", "t.ars:1:7: script.zero_division"},
       {"x = 0 ** -1", "t.ars:1:7: script.zero_division: 0 has no negative power"},
-      {"x = 9223372036854775807 + 1", "t.ars:1:25: script.overflow: the result of '+' does not fit in 64 bits; try: real numbers"},
+      {"x = 9223372036854775807 + 1",
+       "t.ars:1:25: script.overflow: the result of '+' does not fit in 64 bits; try: real numbers"},
       {"x = 2 ** 64", "t.ars:1:7: script.overflow"},
       {"x = -(-9223372036854775807 - 1)", "t.ars:1:5: script.overflow"},
       {"x = (-9223372036854775807 - 1) // -1", "t.ars:1:32: script.overflow"},
@@ -153,33 +159,41 @@ std::vector<Row> rows() {
       {"x = max([])", "t.ars:1:5: script.value: max of nothing"},
       {"x = [0] * 10 ** 12", "t.ars:1:9: script.too_large: the list would be too long"},
       {"x = 'ab' * 10 ** 12", "t.ars:1:10: script.too_large: the text would be too long"},
-      {"x = list(range(10 ** 12))", "t.ars:1:5: script.too_large: a range of 1000000000000 numbers is too long for a list"},
+      {"x = list(range(10 ** 12))",
+       "t.ars:1:5: script.too_large: a range of 1000000000000 numbers is too long for a list"},
       {"x = 'aaaa'\nwhile True: x = x + x", "t.ars:2:19: script.too_large: the text would be too long"},
       {"x = [1]\nwhile True: x += x", "t.ars:2:15: script.too_large: the list would be too long"},
       {"a, b = 1, 2, 3", "t.ars:1:1: script.unpack: 2 variables, but 3 values"},
       {"a, b = 5", "t.ars:1:1: script.unpack: a whole number cannot be shared out to 2 variables"},
       {"a, b = range(10 ** 15)", "t.ars:1:1: script.unpack: 2 variables, but 1000000000000000 values"},
-      {"x = []\nx.append(x)\ny = []\ny.append(y)\nz = x < y", "t.ars:5:7: script.too_deep: the lists compared are nested too deeply"},
+      {"x = []\nx.append(x)\ny = []\ny.append(y)\nz = x < y",
+       "t.ars:5:7: script.too_deep: the lists compared are nested too deeply"},
       // Arguments of commands.
       {"sqrt()", "t.ars:1:1: command.missing_argument: sqrt: 'x' is missing: a number; try: sqrt(x)"},
-      {"sqrt(1, 2)", "t.ars:1:1: command.too_many_arguments: sqrt takes at most 1 argument, 2 were given; try: sqrt(x)"},
+      {"sqrt(1, 2)",
+       "t.ars:1:1: command.too_many_arguments: sqrt takes at most 1 argument, 2 were given; try: sqrt(x)"},
       {"sqrt(y=1)", "t.ars:1:1: command.unknown_parameter: sqrt has no parameter 'y'"},
-      {"round(1.5, digit=2)", "t.ars:1:1: command.unknown_parameter: round has no parameter 'digit'; did you mean 'digits'?"},
+      {"round(1.5, digit=2)",
+       "t.ars:1:1: command.unknown_parameter: round has no parameter 'digit'; did you mean 'digits'?"},
       {"round(1.5, x=2)", "t.ars:1:1: command.repeated_argument: round: 'x' is given twice"},
       {"sqrt('a')", "t.ars:1:1: command.type: sqrt: x must be a number, not 'a', a text"},
       {"sqrt(True)", "t.ars:1:1: command.type: sqrt: x must be a number, not True, a truth value"},
       {"round(1.5, 2.5)", "t.ars:1:1: command.type: round: digits must be a whole number, not 2.5, a number"},
-      {"round(1.5, 1000)", "t.ars:1:1: command.range: round: digits must be between -300 and 300, not 1000, a whole number"},
+      {"round(1.5, 1000)",
+       "t.ars:1:1: command.range: round: digits must be between -300 and 300, not 1000, a whole number"},
       {"expect(1, 1, rel=-1)", "t.ars:1:1: command.range: expect: rel must be at least 0, not -1, a whole number"},
-      {"sorted([1], key=3)", "t.ars:1:1: command.type: sorted: key must be the name of a command, not 3, a whole number"},
+      {"sorted([1], key=3)",
+       "t.ars:1:1: command.type: sorted: key must be the name of a command, not 3, a whole number"},
       {"x = 1\nprint('a',\n      sqrt(\n        'b'))", "t.ars:3:7: command.type"},
       // Checks.
       {"assert 1 > 2", "t.ars:1:1: script.assertion: the assertion is not true: 1 > 2"},
       {"x = 5\nassert x == 6, 'six ' + str(x)", "t.ars:2:1: script.assertion: six 5"},
       {"x = 1.5\ny = 2\nassert x == y", "t.ars:3:1: script.assertion: the assertion is not true: 1.5 == 2"},
-      {"expect(1.1, 1)", "t.ars:1:1: script.expectation: expected 1, got 1.1000000000000001 (off by 0.10000000000000009, relative"},
+      {"expect(1.1, 1)",
+       "t.ars:1:1: script.expectation: expected 1, got 1.1000000000000001 (off by 0.10000000000000009, relative"},
       {"expect([1, [2, 3]], [1, [2, 4]])", "t.ars:1:1: script.expectation: expected 4, got 3 in item 1 in item 1"},
-      {"expect([1, 2], [1, 2, 3])", "t.ars:1:1: script.expectation: expected [1, 2, 3], got [1, 2]: 2 items instead of 3"},
+      {"expect([1, 2], [1, 2, 3])",
+       "t.ars:1:1: script.expectation: expected [1, 2, 3], got [1, 2]: 2 items instead of 3"},
       {"expect('a', 'b')", "t.ars:1:1: script.expectation: expected 'b', got 'a'"},
       {"expect(True, 1)", ""},
       {"expect(None, 0)", "t.ars:1:1: script.expectation: expected 0, got None"},
@@ -236,8 +250,8 @@ TEST(Errors, AFailingPrintStopsTheScript) {
 }
 
 TEST(Errors, EndlessLoopsAreInterrupted) {
-  for (const char* script : {"while True: pass", "for i in range(10**18): x = i", "x = [i for i in range(10**18) if False]",
-                             "a = [0]\nfor x in a:\n  a.append(x)"}) {
+  for (const char* script : {"while True: pass", "for i in range(10**18): x = i",
+                             "x = [i for i in range(10**18) if False]", "a = [0]\nfor x in a:\n  a.append(x)"}) {
     std::atomic<bool> cancel = false;
     std::thread later([&] {
       std::this_thread::sleep_for(std::chrono::milliseconds(30));
@@ -245,7 +259,8 @@ TEST(Errors, EndlessLoopsAreInterrupted) {
     });
     const Ran ran = run_text(script, document::Digits::shortest, &cancel);
     later.join();
-    EXPECT_NE(ran.error.find(": cancelled: the script was interrupted"), std::string::npos) << script << ": " << ran.error;
+    EXPECT_NE(ran.error.find(": cancelled: the script was interrupted"), std::string::npos)
+        << script << ": " << ran.error;
   }
 }
 

@@ -26,12 +26,78 @@ void try_script(const std::string& text) {
   }
 }
 
-const char* const pieces[] = {
-    "x",  "y",   "abs", "print", "range", "len", "sorted", "1",   "2.5", "'s'", "\"t\"", "f'{x}'", "None", "True", "False", "pi",
-    "(",  ")",   "[",   "]",     "{",     "}",   ",",      ":",   ";",   ".",   "=",     "==",     "+=",   "-",    "+",     "*",
-    "**", "//",  "%",   "&",     "<",     ">=",  "in",     "not", "is",  "and", "or",    "if",     "else", "elif", "for",   "while",
-    "\n", "\n ", "\n  ", "\t",   "break", "pass", "continue", "assert", "def", "from aresta import *", "\\\n", "#c\n", " ", "9223372036854775807",
-    ".append(x)", "x = [1, 2]\n", "for x in y:\n  ", "[x for x in ", "1e308", "expect(", "key=", "@", "0x", "'''"};
+const char* const pieces[] = {"x",
+                              "y",
+                              "abs",
+                              "print",
+                              "range",
+                              "len",
+                              "sorted",
+                              "1",
+                              "2.5",
+                              "'s'",
+                              "\"t\"",
+                              "f'{x}'",
+                              "None",
+                              "True",
+                              "False",
+                              "pi",
+                              "(",
+                              ")",
+                              "[",
+                              "]",
+                              "{",
+                              "}",
+                              ",",
+                              ":",
+                              ";",
+                              ".",
+                              "=",
+                              "==",
+                              "+=",
+                              "-",
+                              "+",
+                              "*",
+                              "**",
+                              "//",
+                              "%",
+                              "&",
+                              "<",
+                              ">=",
+                              "in",
+                              "not",
+                              "is",
+                              "and",
+                              "or",
+                              "if",
+                              "else",
+                              "elif",
+                              "for",
+                              "while",
+                              "\n",
+                              "\n ",
+                              "\n  ",
+                              "\t",
+                              "break",
+                              "pass",
+                              "continue",
+                              "assert",
+                              "def",
+                              "from aresta import *",
+                              "\\\n",
+                              "#c\n",
+                              " ",
+                              "9223372036854775807",
+                              ".append(x)",
+                              "x = [1, 2]\n",
+                              "for x in y:\n  ",
+                              "[x for x in ",
+                              "1e308",
+                              "expect(",
+                              "key=",
+                              "@",
+                              "0x",
+                              "'''"};
 
 TEST(Fuzz, RandomBytes) {
   std::mt19937 random(20240607);
@@ -65,8 +131,10 @@ TEST(Fuzz, RandomTokens) {
 
 TEST(Fuzz, DamagedScript) {
   const std::string whole =
-      "from aresta import *\nn = 4\npoints = [(cos(90 * i), sin(90 * i), 0) for i in range(n)]\nfor i, (x, y, z) in enumerate(points):\n"
-      "    if x > 0.5 and not y < -0.5:\n        print(f'{i}: {x:.3f}', y, sep=\", \")\n    else:\n        n += i ** 2 // 3\n"
+      "from aresta import *\nn = 4\npoints = [(cos(90 * i), sin(90 * i), 0) for i in range(n)]\nfor i, (x, y, z) in "
+      "enumerate(points):\n"
+      "    if x > 0.5 and not y < -0.5:\n        print(f'{i}: {x:.3f}', y, sep=\", \")\n    else:\n        n += i ** 2 "
+      "// 3\n"
       "assert len(points[1:]) == 3, 'text'\nexpect(sum([p[0] for p in points]), 0, abs=1e-9)\n";
   ASSERT_EQ(run_text(whole).error, "");
   std::mt19937 random(3);
@@ -75,10 +143,18 @@ TEST(Fuzz, DamagedScript) {
     for (unsigned k = 0; k <= random() % 3; ++k) {
       const std::size_t at = random() % text.size();
       switch (random() % 4) {
-        case 0: text.erase(at, 1 + random() % 5); break;
-        case 1: text.insert(at, pieces[random() % std::size(pieces)]); break;
-        case 2: text[at] = static_cast<char>(random() % 256); break;
-        default: text.resize(at + 1); break;
+        case 0:
+          text.erase(at, 1 + random() % 5);
+          break;
+        case 1:
+          text.insert(at, pieces[random() % std::size(pieces)]);
+          break;
+        case 2:
+          text[at] = static_cast<char>(random() % 256);
+          break;
+        default:
+          text.resize(at + 1);
+          break;
       }
     }
     try_script(text);
