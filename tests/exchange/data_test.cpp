@@ -48,7 +48,10 @@ TEST_P(RealStep, RoundTrips) {
   if (*file.counts == '\0') {
     ASSERT_FALSE(model.ok());
     std::printf("%-36s refused: %s\n", file.name, model.error().to_line().c_str());
-    EXPECT_TRUE(model.error().code == errors::unsupported_content || model.error().code == errors::bad_content);
+    // One holds triangles only; on the other the library's reader fails.
+    const bool only_triangles = std::string(file.name).find("ftc_08") != std::string::npos;
+    EXPECT_EQ(model.error().code, only_triangles ? errors::unsupported_content : errors::bad_content);
+    EXPECT_EQ(model.error().message.find("damaged"), std::string::npos) << "nothing is wrong with the file";
     return;
   }
   ASSERT_TRUE(model.ok()) << model.error().to_line();

@@ -11,6 +11,7 @@
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepShape_TopologicalRepresentationItem.hxx>
 #include <TColStd_HSequenceOfExtendedString.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
@@ -133,7 +134,8 @@ Status require_sound(const Handle(Interface_InterfaceModel) & model) {
     const Handle(Standard_Transient) entity = model->Value(i);
     if (entity.IsNull()) continue;
     const std::string type = entity->DynamicType()->Name();  // annotations and the like may be unknown to the library
-    if (!type.starts_with("StepGeom_") && !type.starts_with("StepShape_")) continue;
+    if (!type.starts_with("StepGeom_") && !entity->IsKind(STANDARD_TYPE(StepShape_TopologicalRepresentationItem)))
+      continue;
     if (!model->IsErrorEntity(i) && !model->Check(i, Standard_True)->HasFailed()) continue;
     return Error{errors::bad_content, "the STEP file is damaged: entity #" + number_of(model, entity) + " (" +
                                           type.substr(type.find('_') + 1) + ") lacks something it refers to"};
