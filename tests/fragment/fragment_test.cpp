@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fragment/fragment.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "construct/primitives.h"
+#include "model/copy.h"
+#include "model/measure.h"
+
+namespace aresta {
+namespace {
+
+using ModelPtr = std::shared_ptr<const Model>;
+
+ModelPtr take(Result<Model> model) {
+  if (!model.ok()) throw std::runtime_error(model.error().to_line());
+  return std::make_shared<const Model>(std::move(*model));
+}
+
+Fragment take(Result<Fragment> result) {
+  if (!result.ok()) throw std::runtime_error(result.error().to_line());
+  return std::move(*result);
+}
+
+TEST(Fragment, CellsAreLabelledByTheRegionsThatContainThem) {
+  const ModelPtr a = take(block(2, 2, 2)), b = take(block(2, 2, 2, {1, 1, 1}));
+  const Fragment f = take(fragment({a, b}, {}, {}));
+  ASSERT_EQ(f.model->regions().size(), 3u);
+  std::map<std::pair<bool, bool>, double> volume;
+  for (const RegionId r : f.model->regions()) {
+    const std::pair inside{a->is_region(f.region_of[0][r.index()]), b->is_region(f.region_of[1][r.index()])};
+    volume[inside] += measure(*f.model, r)->measure;
+  }
+  EXPECT_NEAR((volume[{true, false}]), 7, 1e-12);
+  EXPECT_NEAR((volume[{false, true}]), 7, 1e-12);
+  EXPECT_NEAR((volume[{true, true}]), 1, 1e-12);
+  EXPECT_EQ(f.region_of[0][0], Complex::infinite_region());
+}
+
+TEST(Fragment, EveryPieceKnowsItsParents) {
+  const ModelPtr a = take(block(2, 2, 2)), b = take(block(2, 2, 2, {1, 0, 0}));  // faces partly coincide
+  const Fragment f = take(fragment({a, b}, {}, {}));
+  std::size_t of_both = 0;
+  for (const FaceId face : f.model->topology().faces()) {
+    const auto parents = f.parents(face);
+    ASSERT_FALSE(parents.empty());
+    of_both += parents.size() == 2 ? 1 : 0;
+  }
+  EXPECT_EQ(of_both, 4u);  // the four sides where both blocks lie
+  for (const FaceId face : a->topology().faces()) {
+    double area = 0;
+    for (const std::uint32_t piece : f.pieces(0, face)) area += measure(*f.model, FaceId(piece))->measure;
+    EXPECT_NEAR(area, 4, 1e-12);
+  }
+}
+
+TEST(Fragment, SheetsThatEncloseMakeARegionAndVoidsStayEmpty) {
+  const ModelPtr a = take(block(3, 3, 3)), hole = take(block(1, 1, 1, {1, 1, 1}));
+  const Fragment nested = take(fragment({a, hole}, {}, {}));
+  EXPECT_EQ(nested.model->regions().size(), 2u);
+
+  // The six faces of a block as sheets: nothing is filled in them.
+  ModelBuilder builder = to_builder(*hole);
+  const ModelPtr shell = take(builder.build(Context{}));
+  ASSERT_TRUE(shell->regions().empty());
+  EXPECT_EQ(take(fragment({shell, take(block(1, 1, 1, {9, 0, 0}))}, {}, {})).model->regions().size(), 2u);
+  FragmentOptions plain;
+  plain.detect_regions = false;
+  EXPECT_EQ(take(fragment({shell, take(block(1, 1, 1, {9, 0, 0}))}, plain, {})).model->regions().size(), 1u);
+}
+
+TEST(Fragment, LabelsAndConstraintsFollowThePieces) {
+  Model a = *take(block(2, 2, 2));
+  a.labels.set_name(a.regions().front(), "steel");
+  a.labels.groups.push_back({"clamped", {FaceId(std::size_t{0})}});
+  const auto first = std::make_shared<const Model>(a);
+  const Fragment f = take(fragment({first, take(cylinder(0.5, 4, {{1, 1, -1}, {0, 0, 1}}))}, {}, {}));
+  std::size_t named = 0;
+  for (const RegionId r : f.model->regions()) named += f.model->labels.name(r) == "steel" ? 1 : 0;
+  EXPECT_EQ(named, 2u);  // the block outside the cylinder and the core inside both
+  ASSERT_EQ(f.model->labels.groups.size(), 1u);
+  EXPECT_EQ(f.model->labels.groups[0].entities.size(), f.pieces(0, FaceId(std::size_t{0})).size());
+}
+
+TEST(Fragment, OneOperandIsItsOwnFragment) {
+  const ModelPtr a = take(sphere(1));
+  const Fragment f = take(fragment({a}, {}, {}));
+  EXPECT_EQ(f.model->topology().face_count(), a->topology().face_count());
+  EXPECT_NEAR(*total_volume(*f.model), 4 * std::numbers::pi / 3, 1e-10);
+}
+
+/// An engine that forgets a face: the checks above it must notice.
+class ForgetfulEngine final : public FragmentEngine {
+ public:
+  const char* name() const override { return "forgetful"; }
+  Result<Imprint> imprint(std::span<const ModelPtr> operands, double, const Context&) const override {
+    // Says that the second block's faces are pieces of the first one's, a size too small.
+    Imprint out{to_builder(*operands[1]), {}, {}, {}};
+    const Complex& k = operands[1]->topology();
+    for (const VertexId v : k.vertices()) out.vertex_parents.push_back({{0, v}, {1, v}});
+    for (const EdgeId e : k.edges()) out.edge_parents.push_back({{0, e}, {1, e}});
+    for (const FaceId face : k.faces()) out.face_parents.push_back({{0, face}, {1, face}});
+    return out;
+  }
+};
+
+TEST(Fragment, WhatAnEngineLosesIsNotReturned) {
+  const ForgetfulEngine forgetful;
+  FragmentOptions options;
+  options.engine = &forgetful;
+  const auto result = fragment({take(block(2, 2, 2)), take(block(1, 1, 1))}, options, {});
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, errors::not_conserved) << result.error().to_line();
+}
+
+TEST(Fragment, ErrorsAndCancellation) {
+  EXPECT_EQ(fragment({}, {}, {}).error().code, errors::no_operands);
+  std::atomic<bool> stop = true;
+  Context context;
+  context.cancel = &stop;
+  EXPECT_EQ(fragment({take(block(1, 1, 1)), take(sphere(1))}, {}, context).error().code, errors::cancelled);
+}
+
+}  // namespace
+}  // namespace aresta
