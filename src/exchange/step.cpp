@@ -10,8 +10,6 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 
 #include "base/module.h"
@@ -61,36 +59,6 @@ Status require_whole(const std::string& data) {
   return {};
 }
 
-/// A number that no double holds would keep the library's reader busy for ever.
-Status require_finite_numbers(const std::string& data) {
-  const auto starts_number = [](char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; };
-  const auto in_number = [&](char c) { return starts_number(c) || c == 'E' || c == 'e'; };
-  std::size_t line = 1;
-  for (std::size_t i = 0; i < data.size(); ++i) {
-    const char c = data[i];
-    if (c == '\n') ++line;
-    if (c == '\'') {  // a string; a doubled apostrophe opens the next one at once
-      while (++i < data.size() && data[i] != '\'') line += data[i] == '\n' ? 1 : 0;
-      continue;
-    }
-    if (!starts_number(c) || i == 0 || (data[i - 1] != '(' && data[i - 1] != ',' && data[i - 1] != ' ')) continue;
-    std::size_t end = i;
-    while (end < data.size() && in_number(data[end])) ++end;
-    double value = 0;
-    const std::size_t first = i + (c == '+' ? 1 : 0);
-    const auto read = std::from_chars(data.data() + first, data.data() + end, value);
-    const bool overflows =
-        read.ec == std::errc::result_out_of_range && data.find("E-", i) >= end && data.find("e-", i) >= end;
-    if (overflows || !std::isfinite(value)) {
-      return Error{errors::bad_content, "line " + std::to_string(line) +
-                                            " of the STEP file has a number too large to hold: " +
-                                            data.substr(i, std::min<std::size_t>(end - i, 40))};
-    }
-    i = end - 1;
-  }
-  return {};
-}
-
 /// All parts imprinted on each other, as they were when the file was written; nothing when that does not give the
 /// recorded counts.
 Result<std::optional<Model>> share(const StepContents& contents, const Counts& recorded, const ImportOptions& options,
@@ -126,7 +94,6 @@ Result<std::optional<Model>> share(const StepContents& contents, const Counts& r
 
 Result<Model> read_step(const ReadArguments& in) {
   ARESTA_CHECK(require_whole(in.data));
-  ARESTA_CHECK(require_finite_numbers(in.data));
   ARESTA_TRY(void* function, module_function("step", "aresta_step_read"));
   const auto read = reinterpret_cast<StepReadFunction>(function);
   const std::optional<Counts> recorded = recorded_counts(in.data);

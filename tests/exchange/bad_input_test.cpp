@@ -128,6 +128,18 @@ TEST(BadInput, CoordinatesThatAreNoNumbers) {
   EXPECT_EQ(result.error().code, errors::bad_content) << result.error().to_line();
 }
 
+TEST(BadInput, StepNumbersThatAreTooLarge) {
+  std::string text = exported("step");
+  const std::size_t point = text.find("CARTESIAN_POINT");
+  ASSERT_NE(point, std::string::npos);
+  const std::size_t first = text.find('(', text.find(',', point)) + 1;
+  text.replace(first, text.find_first_of(",)", first) - first, "1.E400");
+  auto result = import_file(file_with("large.step", text));
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, errors::bad_content) << result.error().to_line();
+  EXPECT_NE(result.error().message.find("1.E400"), std::string::npos) << result.error().to_line();
+}
+
 TEST(BadInput, NothingInside) {
   auto flat = import_file(file_with("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"));
   ASSERT_FALSE(flat.ok());

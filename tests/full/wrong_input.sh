@@ -83,7 +83,7 @@ program 'no script' 2 '.' run
 
 # --- damaged STEP files: cut at many places, and with bytes changed
 full_cuts=100
-n=$(awk -v s="$ARESTA_SCALE" -v n=$full_cuts 'BEGIN { k = int(n * s * 5); print k > n ? n : k < 5 ? 5 : k }')
+n=$(awk -v s="$ARESTA_SCALE" -v n=$full_cuts 'BEGIN { k = int(n * s * 5); if (k > n) k = n; if (k < 5) k = 5; print k }')
 size=$(wc -c <"$flange")
 i=0
 while [ $i -lt "$n" ]; do
@@ -160,7 +160,7 @@ if disk mount -t tmpfs -o size=64k tmpfs disk 2>/dev/null; then
   for ending in step brep inp vtu png html; do
     case $ending in
       step | brep) line='export(grid_of, "disk/out.'$ending'")' ;;
-      inp | vtu) line='export(mesh(grid_of, size=0.2, dimension=2), "disk/out.'$ending'")' ;;
+      inp | vtu) line='export(mesh(grid_of, size=0.5), "disk/out.'$ending'")' ;;
       *) line='render(grid_of, "disk/out.'$ending'")' ;;
     esac
     printf '%s\n' 'from aresta import *' 'grid_of = block(1, 1, 1)' \

@@ -23,9 +23,11 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <charconv>
 #include <cmath>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include "exchange/errors.h"
 #include "exchange/step/step_module.h"
@@ -143,6 +145,30 @@ Status require_sound(const Handle(Interface_InterfaceModel) & model) {
   return {};
 }
 
+/// A number beyond the range of double is infinite to the library, which then works on it without end.
+Status require_finite_numbers(const std::string& data) {
+  std::size_t line = 1;
+  bool quoted = false;
+  char before = ' ';
+  for (std::size_t i = 0; i < data.size(); before = data[i++]) {
+    const char c = data[i];
+    line += c == '\n';
+    if (c == '\'') quoted = !quoted;
+    const bool starts = (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
+    if (quoted || !starts || std::string_view("(,= \t\r\n").find(before) == std::string_view::npos) continue;
+    const char* first = data.data() + i + (c == '+');
+    double value = 0;
+    const auto [end, error] = std::from_chars(first, data.data() + data.size(), value);
+    if (error != std::errc::result_out_of_range) continue;
+    const std::string_view number(first, static_cast<std::size_t>(end - first));
+    if (number.find("E-") != std::string_view::npos || number.find("e-") != std::string_view::npos)
+      continue;  // near zero
+    return Error{errors::bad_content, "the STEP file is damaged: the number " + std::string(number.substr(0, 40)) +
+                                          " in line " + std::to_string(line) + " is too large"};
+  }
+  return {};
+}
+
 Result<StepContents> read(const std::string& data, bool subshape_names, double length_unit, const Context& context) {
   const char* unit = unit_name(length_unit);
   if (unit == nullptr) return Error{errors::unsupported_content, "STEP files cannot be read into this unit of length"};
@@ -156,6 +182,7 @@ Result<StepContents> read(const std::string& data, bool subshape_names, double l
   reader.SetLayerMode(Standard_True);
   std::istringstream stream(data);
   ARESTA_CHECK(context.step(0, "reading STEP"));
+  ARESTA_CHECK(require_finite_numbers(data));
   if (reader.ChangeReader().ReadStream("file", stream) != IFSelect_RetDone) {
     return Error{errors::bad_content, "the STEP file cannot be parsed: it is damaged or not STEP at all"};
   }
