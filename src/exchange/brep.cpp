@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 #include <iostream>
 #include <locale>
 #include <sstream>
@@ -68,6 +72,11 @@ Result<Model> read_brep(const ReadArguments& in) {
     BRepTools::Read(shape, stream, BRep_Builder(), progress->Start());
     ARESTA_CHECK(in.context.step(0.5, "reading BREP"));
     if (shape.IsNull()) return Error{errors::bad_content, "the BREP file is damaged or cut off"};
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
+      if (BRep_Tool::Surface(TopoDS::Face(it.Current())).IsNull()) {
+        return Error{errors::bad_content, "the BREP file is damaged: a face has no surface"};
+      }
+    }
     return import_shape(wrap(shape), {}, in.options, in.report, in.context);
   });
 }

@@ -83,12 +83,26 @@ TEST(BadInput, DamageInTheMiddleIsNoCrash) {
   for (const std::string format : {"step", "brep"}) {
     const std::string good = exported(format);
     std::mt19937 random(3);
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 80; ++i) {
       std::string damaged = good;
-      for (int k = 0; k < 5; ++k) damaged[random() % damaged.size()] = static_cast<char>('0' + random() % 75);
+      for (int k = 0; k < (i % 2 == 0 ? 1 : 5); ++k)
+        damaged[random() % damaged.size()] = static_cast<char>('0' + random() % 75);
       auto result = import_file(file_with("damaged." + format, damaged));
       EXPECT_TRUE(result.ok() || !result.error().message.empty());
     }
+  }
+}
+
+TEST(BadInput, ImagesThatLeadNowhere) {
+  const std::string good = exported("step");
+  for (const auto& [from, to] : {std::pair{"= LINE(", "= LcNE("},
+                                 std::pair{"DEFINITIONAL_REPRESENTATION('',(", "DEFINITIONAL_REPRESENTATION(''E("}}) {
+    std::string damaged = good;
+    const std::size_t at = damaged.find(from);
+    ASSERT_NE(at, std::string::npos);
+    damaged.replace(at, std::string(from).size(), to);
+    auto result = import_file(file_with("blind.step", damaged));
+    EXPECT_TRUE(result.ok() || result.error().code == errors::bad_content) << result.error().to_line();
   }
 }
 
