@@ -61,7 +61,7 @@ Status export_mesh(const Mesh& mesh, const std::string& file, const std::string&
   if (format == "msh") return write_msh(mesh, file);
   if (format == "msh2") return write_msh(mesh, file, MshVersion::v22);
   if (format == "vtu") return write_vtu(mesh, file);
-  if (format == "inp") return write_inp(mesh, file);
+  if (format == "inp") return write_inp(mesh, file, {.shells = mesh.element_count(3) == 0});
   return Error{.code = errors::command_range,
                .message = "export: a mesh can be written as msh, vtu or inp, not as '" + format + "'",
                .hint = "a path that ends in .vtu, or format=\"msh2\" for MSH 2.2"};

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "document/value.h"
@@ -33,8 +35,9 @@ enum class Op : std::uint8_t {
   is_not
 };
 
-/// As it is written in a script.
+/// As it is written in a script; and the other way round, as in "+" or "not in".
 const char* op_text(Op op);
+std::optional<Op> op_named(std::string_view text);
 
 enum class ExprKind : std::uint8_t {
   constant,  ///< value

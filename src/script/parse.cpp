@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recursive descent over tokens. Depth of recursion is bounded: brackets by the tokenizer, everything else by Guard.
-#include <array>
-
 #include "script/ast.h"
 #include "script/errors.h"
 
@@ -10,20 +8,6 @@ namespace aresta::script {
 namespace {
 
 constexpr int max_depth = 150;
-
-struct BinaryOp {
-  const char* text;
-  Op op;
-};
-constexpr std::array binary_ops = {BinaryOp{"+", Op::add},           BinaryOp{"-", Op::subtract},
-                                   BinaryOp{"*", Op::multiply},      BinaryOp{"/", Op::divide},
-                                   BinaryOp{"//", Op::floor_divide}, BinaryOp{"%", Op::modulo},
-                                   BinaryOp{"**", Op::power},        BinaryOp{"&", Op::bit_and},
-                                   BinaryOp{"==", Op::equal},        BinaryOp{"!=", Op::not_equal},
-                                   BinaryOp{"<", Op::less},          BinaryOp{"<=", Op::less_equal},
-                                   BinaryOp{">", Op::greater},       BinaryOp{">=", Op::greater_equal},
-                                   BinaryOp{"in", Op::in},           BinaryOp{"not in", Op::not_in},
-                                   BinaryOp{"is", Op::is},           BinaryOp{"is not", Op::is_not}};
 
 std::string shown(const Token& token) {
   switch (token.kind) {
@@ -262,14 +246,13 @@ class Parser {
     }
     if (at(TokenKind::op) && token().text.size() >= 2 && token().text.back() == '=' && token().text != "==") {
       const std::string op = token().text.substr(0, token().text.size() - 1);
-      for (const BinaryOp& b : binary_ops) {
-        if (op != b.text || b.op > Op::bit_and) continue;
+      if (const auto known = op_named(op); known && *known <= Op::bit_and) {
         if (first->kind != ExprKind::name && first->kind != ExprKind::index) {
           return fail(errors::script_syntax,
                       "only a variable or an item of a list can stand left of '" + token().text + "'");
         }
         s.kind = StmtKind::augment;
-        s.op = b.op;
+        s.op = *known;
         s.place = token().place;
         next();
         ARESTA_CHECK(expression_list(s.value));
@@ -427,13 +410,11 @@ class Parser {
       text = "is not";
       next();
     }
-    for (const BinaryOp& b : binary_ops) {
-      if (b.op < Op::equal || text != b.text) continue;
-      op.op = b.op;
-      next();
-      return true;
-    }
-    return false;
+    const auto known = op_named(text);
+    if (!known || *known < Op::equal) return false;
+    op.op = *known;
+    next();
+    return true;
   }
 
   Status comparison(ExprPtr& out) {
@@ -466,9 +447,7 @@ class Parser {
         e = make(ExprKind::chain, token().place);
         e->children.push_back(std::move(out));
       }
-      for (const BinaryOp& b : binary_ops) {
-        if (std::string_view(b.text) == found) e->ops.push_back({b.op, token().place});
-      }
+      e->ops.push_back({*op_named(found), token().place});
       next();
       ExprPtr c;
       ARESTA_CHECK((this->*operand)(c));
@@ -810,13 +789,6 @@ class Parser {
 };
 
 }  // namespace
-
-const char* op_text(Op op) {
-  for (const BinaryOp& b : binary_ops) {
-    if (b.op == op) return b.text;
-  }
-  return "";
-}
 
 Result<Script> parse(std::string_view text, const std::string& file) {
   ARESTA_TRY(std::vector<Token> tokens, tokenize(text, file));
