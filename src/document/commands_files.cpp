@@ -53,6 +53,7 @@ Result<Value> import_shape(Call& call) {
   ImportOptions options;
   options.format = call.string("format");
   options.check = call.boolean("check");
+  options.join = call.boolean("join");
   ARESTA_TRY(Model model, import_file(call.string("path"), options, call.context()));
   return Value(whole_shape(std::move(model)));
 }
@@ -169,13 +170,19 @@ void register_files(Registry& r) {
   const Parameter x{.name = "x", .type = Type::shape};
   r.add({.name = "import_file",
          .group = "files",
-         .parameters = {path,
-                        file_format,
-                        {.name = "check",
-                         .type = Type::boolean,
-                         .doc = "refuse what the checker finds fault with",
-                         .default_value = true,
-                         .keyword_only = true}},
+         .parameters =
+             {path,
+              file_format,
+              {.name = "check",
+               .type = Type::boolean,
+               .doc = "refuse what the checker finds fault with",
+               .default_value = true,
+               .keyword_only = true},
+              {.name = "join",
+               .type = Type::boolean,
+               .doc = "imprint parts on each other that touch without sharing faces; False: leave them as they are",
+               .default_value = true,
+               .keyword_only = true}},
          .returns = "a shape",
          .doc = "Reads a model: STEP, BREP, STL, OBJ, PLY, OFF, by the path's ending.",
          .example = "import_file(\"part.step\")",

@@ -33,7 +33,7 @@ struct ImportOptions {
   std::string format;         ///< empty: by the file's extension
   double length_unit = 1e-3;  ///< metres per document unit of the model; files with a unit are converted
   bool repair = true;         ///< try to mend a shape that cannot be taken as it is; what was done is in the notes
-  bool join = true;           ///< imprint parts on each other that touch without sharing; see join_parts.h
+  bool join = false;          ///< imprint parts on each other that touch without sharing; see join_parts.h
   bool check = true;          ///< false: take what can be built, unseen
   CheckLevel level = CheckLevel::fast;
   ImportReport* report = nullptr;

@@ -20,7 +20,7 @@ std::string random_bytes(std::size_t n) {
 std::string exported(const std::string& format, bool ascii = false) {
   auto model = cylinder(1, 2);
   EXPECT_TRUE(model.ok());
-  const std::string path = (output_folder("exchange_bad_" + format) / ("good." + format)).string();
+  const std::string path = (own_folder("good") / ("good." + format)).string();
   ExportOptions options;
   options.ascii = ascii;
   EXPECT_TRUE(export_file(*model, path, options).ok());

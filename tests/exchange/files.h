@@ -24,9 +24,17 @@ inline double volume(const Model& model) {
   return v.ok() ? *v : -1;
 }
 
+/// A folder of the running test alone: tests run side by side, each in a process of its own.
+inline std::filesystem::path own_folder(const std::string& name) {
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  std::string unique = "exchange_" + name + "_" + test.test_suite_name() + "_" + test.name();
+  for (char& c : unique) c = c == '/' ? '_' : c;
+  return output_folder(unique);
+}
+
 /// A file with the given bytes in the test's own folder.
 inline std::string file_with(const std::string& name, const std::string& bytes) {
-  static const std::filesystem::path folder = output_folder("exchange_inputs");
+  const std::filesystem::path folder = own_folder("inputs");
   const std::string path = (folder / name).string();
   EXPECT_TRUE(write_file(path, bytes).ok());
   return path;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Models through files and back: solids that share faces, sheets, wires, points, names, colours, units.
+#include <map>
 #include <numbers>
 
 #include "construct/move.h"
@@ -15,8 +16,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 std::string path_of(const std::string& name) {
-  static const std::filesystem::path folder = output_folder("exchange_models");
-  return (folder / name).string();
+  static std::map<std::string, std::filesystem::path> folders;  // a folder per test, made once
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto [folder, is_new] = folders.try_emplace(test);
+  if (is_new) folder->second = own_folder("models");
+  return (folder->second / name).string();
 }
 
 std::shared_ptr<const Model> keep(Result<Model> model) {
