@@ -23,7 +23,7 @@ build   libeigen3-dev                     linear algebra
 build   libtbb-dev                        threads
 build   netgen-headers                    Netgen: tetrahedra for several regions (the C++ interface)
 build   libnglib-dev                      Netgen: the library
-build   libopenmpi-dev                    headers that Netgen's headers include; MPI itself is not used
+build   libopenmpi-dev                    headers that those of Netgen include; MPI itself is not used
 build   libpng-dev                        pictures
 build   nlohmann-json3-dev                JSON
 build   libcli11-dev                      the command line
