@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pages<T>: an array in reference-counted pages, copied on write.
 //
-// Copying a Pages costs one pointer per page (a table of pages, itself shared, costs nothing until it is written to);
-// a write to a shared page copies that page alone. This is what makes snapshots, undo and rollback cheap.
-// Reading from several threads is safe while nobody writes to the same object.
+// Copying a Pages costs nothing (the table of pages is shared until one side is written to; then it costs one pointer
+// per page); a write to a shared page copies that page alone. This is what makes snapshots, undo and rollback cheap.
+// The first page grows with its content, so that a small array is small; every other page is whole. Reading from
+// several threads is safe while nobody writes to the same object.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <memory>
@@ -24,72 +25,131 @@ class Pages {
 
   const T& operator[](std::size_t i) const {
     assert(i < size_);
-    return (*(*table_)[i >> page_bits])[i & (page_size - 1)];
+    return (*table_)[i >> page_bits][i & (page_size - 1)];
   }
 
-  /// A reference to write through; copies the page when a snapshot shares it. Valid until the next copy of this object.
+  /// A reference to write through; copies the page when a snapshot shares it. Valid until the next copy of this object
+  /// or change of its size.
   T& edit(std::size_t i) {
     assert(i < size_);
     return writable_page(i >> page_bits)[i & (page_size - 1)];
   }
 
   void push_back(const T& item) {
-    if (size_ == capacity()) {
-      writable_table().push_back(std::make_shared<Page>());
-    }
+    const T kept = item;  // it may lie in a page that moves
+    if (size_ == capacity_) reserve_one_more();
     ++size_;
-    edit(size_ - 1) = item;
+    edit(size_ - 1) = kept;
   }
 
   void resize(std::size_t n, const T& item = T{}) {
-    if (n < size_) {
-      writable_table().resize((n + page_size - 1) >> page_bits);
-      size_ = n;
+    const T kept = item;
+    while (capacity_ < n) {
+      if (capacity_ == 0) {
+        add_page(std::min(n, page_size));
+      } else {
+        reserve_one_more();
+      }
     }
-    while (size_ < n) push_back(item);
+    for (std::size_t i = size_; i < n;) {
+      const std::size_t page = i >> page_bits, last = std::min(n, (page + 1) << page_bits);
+      size_ = last;
+      T* const items = writable_page(page).get();
+      std::fill(items + (i & (page_size - 1)), items + (last - (page << page_bits)), kept);
+      i = last;
+    }
+    if (n < size_) {
+      size_ = n;
+      const std::size_t pages = (n + page_size - 1) >> page_bits;
+      if (pages < table_->size()) {
+        writable_table().resize(pages);
+        capacity_ = std::min(capacity_, pages << page_bits);
+      }
+    }
   }
 
-  void clear() {
-    table_ = std::make_shared<Table>();
-    size_ = 0;
-  }
+  void clear() { *this = Pages(); }
 
   /// Bytes allocated by this object, shared pages included.
   std::size_t allocated_bytes() const {
-    return table_->size() * (sizeof(Page) + control_block_bytes) + table_->capacity() * sizeof(PagePtr);
+    return capacity_ * sizeof(T) + table_->size() * control_block_bytes + table_->capacity() * sizeof(PagePtr);
   }
 
-  /// How many pages this object does not share with `other`: what a change since a snapshot has cost.
+  /// How many pages this object does not share with `other`, and how many bytes: what a change since a snapshot has
+  /// cost.
   std::size_t pages_not_shared_with(const Pages& other) const {
     std::size_t count = 0;
-    for (std::size_t p = 0; p < table_->size(); ++p) {
-      count += p >= other.table_->size() || (*table_)[p] != (*other.table_)[p];
-    }
+    for (std::size_t p = 0; p < table_->size(); ++p) count += !shares_page(p, other);
     return count;
+  }
+  std::size_t bytes_not_shared_with(const Pages& other) const {
+    std::size_t bytes = 0;
+    for (std::size_t p = 0; p < table_->size(); ++p) {
+      if (!shares_page(p, other)) bytes += items_in_page(p) * sizeof(T);
+    }
+    return bytes;
+  }
+  /// Calls visit(first, last) for each range of indices whose page the two objects do not share: all else is equal.
+  template <class Visit>
+  void for_each_difference(const Pages& other, Visit&& visit) const {
+    const std::size_t pages = std::max(table_->size(), other.table_->size());
+    for (std::size_t p = 0; p < pages; ++p) {
+      const std::size_t end = (p + 1) << page_bits;
+      if (p < table_->size() && shares_page(p, other) &&
+          (size_ == other.size_ || end <= std::min(size_, other.size_))) {
+        continue;
+      }
+      visit(p << page_bits, std::min(end, std::max(size_, other.size_)));
+    }
   }
 
  private:
-  using Page = std::array<T, page_size>;
-  using PagePtr = std::shared_ptr<Page>;
+  using PagePtr = std::shared_ptr<T[]>;
   using Table = std::vector<PagePtr>;
-  static constexpr std::size_t control_block_bytes = 16;
+  static constexpr std::size_t control_block_bytes = 32;
+  static constexpr std::size_t first_capacity = 8;
 
-  std::size_t capacity() const { return table_->size() << page_bits; }
+  bool shares_page(std::size_t p, const Pages& other) const {
+    return p < other.table_->size() && (*table_)[p] == (*other.table_)[p];
+  }
+
+  /// How many items page p has room for.
+  std::size_t items_in_page(std::size_t p) const { return p == 0 ? std::min(capacity_, page_size) : page_size; }
+
+  void add_page(std::size_t items) {
+    writable_table().push_back(std::make_shared<T[]>(items));
+    capacity_ += items;
+  }
+
+  void reserve_one_more() {
+    if (capacity_ >= page_size) return add_page(page_size);
+    if (capacity_ == 0) return add_page(std::min(first_capacity, page_size));
+    const std::size_t grown = std::min(2 * capacity_, page_size);
+    auto page = std::make_shared<T[]>(grown);
+    std::copy((*table_)[0].get(), (*table_)[0].get() + size_, page.get());
+    writable_table()[0] = std::move(page);
+    capacity_ = grown;
+  }
 
   Table& writable_table() {
     if (table_.use_count() > 1) table_ = std::make_shared<Table>(*table_);
     return *table_;
   }
 
-  Page& writable_page(std::size_t p) {
+  PagePtr& writable_page(std::size_t p) {
     // The table first: while it is shared, a page in it may count one owner and still be seen by two.
     PagePtr& page = writable_table()[p];
-    if (page.use_count() > 1) page = std::make_shared<Page>(*page);
-    return *page;
+    if (page.use_count() > 1) {
+      const std::size_t items = items_in_page(p);
+      auto own = std::make_shared<T[]>(items);
+      std::copy(page.get(), page.get() + items, own.get());
+      page = std::move(own);
+    }
+    return page;
   }
 
   std::shared_ptr<Table> table_ = std::make_shared<Table>();
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, capacity_ = 0;
 };
 
 }  // namespace aresta

@@ -196,7 +196,8 @@ Complex assemble_unchecked(const Incidence& in) {
       auto& loop = k.loops_.edit(l);
       loop.face = f;
       loop.next = l + 1 < in.face_begin[f + 1] ? l + 1 : none;
-      loop.first = is_vertex ? in.loop_vertex[l] | Complex::vertex_tag : begin;
+      loop.prev = l > in.face_begin[f] ? l - 1 : in.face_begin[f + 1] - 1;
+      loop.first = is_vertex ? in.loop_vertex[l] | Complex::tag : begin;
       if (is_vertex) {
         auto& owner = k.vertices_.edit(in.loop_vertex[l]).owner;
         k.point_uses_.push_back({l, owner});
@@ -209,7 +210,7 @@ Complex assemble_unchecked(const Incidence& in) {
     }
   }
   for (std::uint32_t c = static_cast<std::uint32_t>(in.coedges.size()); c-- > 0;) {
-    k.edges_.edit(in.coedges[c] >> 1).coedge_or_next_wire = c;  // the smallest coedge stays
+    k.edges_.edit(in.coedges[c] >> 1).first_use = c;  // the smallest coedge stays
   }
 
   // Shells. Items: face-uses, then edges (as wires), then vertices (isolated); a vertex ties the items of one region
@@ -265,50 +266,62 @@ Complex assemble_unchecked(const Incidence& in) {
 
   k.regions_.resize(in.region_count);
   for (std::uint32_t r = 0; r < in.region_count; ++r) k.regions_.edit(r).filled = in.region_filled[r] ? 1 : 0;
-  std::vector<std::uint32_t> shell_of_root(items, none), last_shell(in.region_count, none), last_item;
+  // Chains are linked both ways; the first member's prev is the last one.
+  std::vector<std::uint32_t> shell_of_root(items, none);
   const auto shell_of = [&](std::uint32_t item, std::uint32_t region) {
     auto& shell = shell_of_root[sets.find(item)];
     if (shell == none) {
       shell = static_cast<std::uint32_t>(k.shells_.size());
       k.shells_.push_back({});
-      k.shells_.edit(shell).region = region;
-      last_item.push_back(none);
-      if (last_shell[region] == none) {
-        k.regions_.edit(region).first_shell = shell;
+      auto& record = k.shells_.edit(shell);
+      record.region = region;
+      auto& first = k.regions_.edit(region).first_shell;
+      if (first == none) {
+        first = record.prev = shell;
       } else {
-        k.shells_.edit(last_shell[region]).next = shell;
+        auto& first_record = k.shells_.edit(first);
+        record.prev = first_record.prev;
+        k.shells_.edit(record.prev).next = shell;
+        first_record.prev = shell;
       }
-      last_shell[region] = shell;
     }
     return shell;
   };
   for (std::uint32_t u = 0; u < uses; ++u) {
     const std::uint32_t shell = shell_of(u, in.face_use_region[u]);
-    k.faces_.edit(u / 2).shell[u % 2] = shell;
-    if (last_item[shell] == none) {
-      k.shells_.edit(shell).first_face_use = u;
+    auto& record = k.faces_.edit(u / 2);
+    record.shell[u % 2] = shell;
+    auto& first = k.shells_.edit(shell).first_face_use;
+    if (first == none) {
+      first = record.prev_in_shell[u % 2] = u;
     } else {
-      k.faces_.edit(last_item[shell] / 2).next_in_shell[last_item[shell] % 2] = u;
+      auto& last_use = k.faces_.edit(first / 2).prev_in_shell[first % 2];
+      record.prev_in_shell[u % 2] = last_use;
+      k.faces_.edit(last_use / 2).next_in_shell[last_use % 2] = u;
+      last_use = u;
     }
-    last_item[shell] = u;
   }
-  std::vector<std::uint32_t> last_wire(items, none);
   for (std::uint32_t e = 0; e < in.edge_count(); ++e) {
     if (in.edge_region[e] == none) continue;
     const std::uint32_t shell = shell_of(uses + e, in.edge_region[e]);
-    k.edges_.edit(e).shell = shell;
-    if (last_wire[shell] == none) {
-      k.shells_.edit(shell).first_wire = e;
+    const auto wire = static_cast<std::uint32_t>(k.wires_.size());
+    k.edges_.edit(e).first_use = wire | Complex::tag;
+    auto& first = k.shells_.edit(shell).first_wire;
+    if (first == none) {
+      k.wires_.push_back({e, shell, none, wire});
+      first = wire;
     } else {
-      k.edges_.edit(last_wire[shell]).coedge_or_next_wire = e;
+      const std::uint32_t last_wire = k.wires_[first].prev;
+      k.wires_.push_back({e, shell, none, last_wire});
+      k.wires_.edit(last_wire).next = wire;
+      k.wires_.edit(first).prev = wire;
     }
-    last_wire[shell] = e;
   }
   for (std::uint32_t v = 0; v < in.vertex_count; ++v) {
     if (in.vertex_region[v] == none) continue;
     const std::uint32_t shell = shell_of(uses + in.edge_count() + v, in.vertex_region[v]);
     k.shells_.edit(shell).vertex = v;
-    k.vertices_.edit(v).owner = shell | Complex::vertex_tag;
+    k.vertices_.edit(v).owner = shell | Complex::tag;
   }
   return k;
 }

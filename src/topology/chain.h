@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranges over linked records: `chain` follows links to their end, `cycle` once around, IdRange counts.
+// Ranges over linked records: `chain` follows links to their end, `cycle` once around, LiveRange counts up.
 #pragma once
 
 #include <cstddef>
@@ -70,35 +70,45 @@ LinkRange<Item, Next, true> cycle(Item first, Next next) {
   return {first, next};
 }
 
-/// The ids 0 .. n - 1.
-template <class IdType>
-class IdRange {
+/// The ids below a bound that are live in their store, in growing order.
+template <class IdType, class Store>
+class LiveRange {
  public:
   class iterator {
    public:
     using value_type = IdType;
     using difference_type = std::ptrdiff_t;
     iterator() = default;
-    explicit iterator(std::size_t i) : i_(i) {}
+    iterator(const Store* store, std::size_t i, std::size_t bound) : store_(store), i_(i), bound_(bound) { skip(); }
     IdType operator*() const { return IdType(i_); }
     iterator& operator++() {
       ++i_;
+      skip();
       return *this;
     }
-    iterator operator++(int) { return iterator(i_++); }
-    bool operator==(const iterator&) const = default;
+    iterator operator++(int) {
+      iterator old = *this;
+      ++*this;
+      return old;
+    }
+    bool operator==(const iterator& other) const { return i_ == other.i_; }
 
    private:
-    std::size_t i_ = 0;
+    void skip() {
+      while (i_ < bound_ && !store_->is_live(IdType(i_))) ++i_;
+    }
+    const Store* store_ = nullptr;
+    std::size_t i_ = 0, bound_ = 0;
   };
 
-  explicit IdRange(std::size_t n) : n_(n) {}
-  iterator begin() const { return iterator(0); }
-  iterator end() const { return iterator(n_); }
-  std::size_t size() const { return n_; }
+  LiveRange(const Store* store, std::size_t bound) : store_(store), bound_(bound) {}
+  iterator begin() const { return {store_, 0, bound_}; }
+  iterator end() const { return {store_, bound_, bound_}; }
+  bool empty() const { return begin() == end(); }
 
  private:
-  std::size_t n_;
+  const Store* store_;
+  std::size_t bound_;
 };
 
 }  // namespace aresta

@@ -16,10 +16,16 @@
 //            or one isolated vertex.
 //   wire     an edge of no face; it lies in the one region of its shell.
 //
-// Stored: vertex 8 bytes, edge 32, coedge 20, loop 12, face 24, shell 20, region 8; uses are implied by arithmetic.
+// Ids. A complex that was assembled in bulk is compact: ids run from 0 to count - 1. Operators (operators.h) leave gaps
+// where they kill something and fill them later; then an id is below `..._bound()`, `is_live` tells gaps, and ranges
+// step over them. Shells are not named by users: they follow from what is connected in a region.
+//
+// Stored: vertex 8 bytes, edge 28, coedge 20, loop 16, face 28, shell 24, region 8, and 16 for each wire and 8 for each
+// loop that is a vertex; uses are implied by arithmetic. All lists that a change has to leave are linked both ways.
 // After K. Weiler, "Topological structures for geometric modeling", 1986; implied uses as in S. Lee and K. Lee, 2001.
 #pragma once
 
+#include <array>
 #include <cassert>
 #include <vector>
 
@@ -44,40 +50,67 @@ class Complex {
  public:
   Complex();
 
-  std::size_t vertex_count() const { return vertices_.size(); }
-  std::size_t edge_count() const { return edges_.size(); }
-  std::size_t coedge_count() const { return coedges_.size(); }
-  std::size_t loop_count() const { return loops_.size(); }
-  std::size_t face_count() const { return faces_.size(); }
-  std::size_t shell_count() const { return shells_.size(); }
+  /// How many there are.
+  std::size_t vertex_count() const { return vertices_.size() - free_[vertex_rows].count; }
+  std::size_t edge_count() const { return edges_.size() - free_[edge_rows].count; }
+  std::size_t coedge_count() const { return coedges_.size() - free_[coedge_rows].count; }
+  std::size_t loop_count() const { return loops_.size() - free_[loop_rows].count; }
+  std::size_t face_count() const { return faces_.size() - free_[face_rows].count; }
+  std::size_t shell_count() const { return shells_.size() - free_[shell_rows].count; }
   /// All regions, the infinite one and empty ones included.
-  std::size_t region_count() const { return regions_.size(); }
+  std::size_t region_count() const { return regions_.size() - free_[region_rows].count; }
 
-  auto vertices() const { return IdRange<VertexId>(vertex_count()); }
-  auto edges() const { return IdRange<EdgeId>(edge_count()); }
-  auto coedges() const { return IdRange<CoedgeId>(coedge_count()); }
-  auto loops() const { return IdRange<LoopId>(loop_count()); }
-  auto faces() const { return IdRange<FaceId>(face_count()); }
-  auto shells() const { return IdRange<ShellId>(shell_count()); }
-  auto regions() const { return IdRange<RegionId>(region_count()); }
+  /// All ids are below these; equal to the counts when the complex is compact.
+  std::size_t vertex_bound() const { return vertices_.size(); }
+  std::size_t edge_bound() const { return edges_.size(); }
+  std::size_t coedge_bound() const { return coedges_.size(); }
+  std::size_t loop_bound() const { return loops_.size(); }
+  std::size_t face_bound() const { return faces_.size(); }
+  std::size_t shell_bound() const { return shells_.size(); }
+  std::size_t region_bound() const { return regions_.size(); }
+  bool is_compact() const;
+
+  /// Does the id name something? False for any id out of range or killed.
+  bool is_live(VertexId v) const { return v.index() < vertices_.size() && vertices_[v.index()].first_end != dead; }
+  bool is_live(EdgeId e) const { return e.index() < edges_.size() && edges_[e.index()].vertex[0] != dead; }
+  bool is_live(CoedgeId c) const { return c.index() < coedges_.size() && coedges_[c.index()].loop != dead; }
+  bool is_live(LoopId l) const { return l.index() < loops_.size() && loops_[l.index()].face != dead; }
+  bool is_live(FaceId f) const { return f.index() < faces_.size() && faces_[f.index()].first_loop != dead; }
+  bool is_live(ShellId s) const { return s.index() < shells_.size() && shells_[s.index()].region != dead; }
+  bool is_live(RegionId r) const { return r.index() < regions_.size() && regions_[r.index()].filled != dead; }
+  bool is_live(EntityRef entity) const;
+
+  auto vertices() const { return LiveRange<VertexId, Complex>(this, vertex_bound()); }
+  auto edges() const { return LiveRange<EdgeId, Complex>(this, edge_bound()); }
+  auto coedges() const { return LiveRange<CoedgeId, Complex>(this, coedge_bound()); }
+  auto loops() const { return LiveRange<LoopId, Complex>(this, loop_bound()); }
+  auto faces() const { return LiveRange<FaceId, Complex>(this, face_bound()); }
+  auto shells() const { return LiveRange<ShellId, Complex>(this, shell_bound()); }
+  auto regions() const { return LiveRange<RegionId, Complex>(this, region_bound()); }
 
   // Edge.
   VertexId start(EdgeId e) const { return VertexId(edges_[e.index()].vertex[0]); }
   VertexId end(EdgeId e) const { return VertexId(edges_[e.index()].vertex[1]); }
   VertexId vertex(EdgeEnd e) const { return VertexId(edges_[e.edge.index()].vertex[e.end]); }
   bool is_closed(EdgeId e) const { return start(e) == end(e); }
-  bool is_wire(EdgeId e) const { return edges_[e.index()].shell != none; }
+  bool is_wire(EdgeId e) const { return (edges_[e.index()].first_use & tag) != 0; }
   /// The shell of a wire; invalid for an edge of a face.
-  ShellId wire_shell(EdgeId e) const { return ShellId(edges_[e.index()].shell); }
-  CoedgeId first_coedge(EdgeId e) const {
-    return is_wire(e) ? CoedgeId() : CoedgeId(edges_[e.index()].coedge_or_next_wire);
+  ShellId wire_shell(EdgeId e) const {
+    return is_wire(e) ? ShellId(wires_[edges_[e.index()].first_use & ~tag].shell) : ShellId();
   }
+  CoedgeId first_coedge(EdgeId e) const { return is_wire(e) ? CoedgeId() : CoedgeId(edges_[e.index()].first_use); }
   EdgeUseKind use_kind(EdgeId e) const;
 
   // Coedge.
   CoedgeId next(CoedgeId c) const { return CoedgeId(coedges_[c.index()].next); }
   CoedgeId prev(CoedgeId c) const { return CoedgeId(coedges_[c.index()].prev); }
   CoedgeId radial(CoedgeId c) const { return CoedgeId(coedges_[c.index()].radial); }
+  /// The coedge before c counterclockwise about the edge; in time proportional to the edge's uses.
+  CoedgeId radial_prev(CoedgeId c) const {
+    CoedgeId before = c;
+    while (radial(before) != c) before = radial(before);
+    return before;
+  }
   EdgeId edge(CoedgeId c) const { return EdgeId(coedges_[c.index()].edge_sense >> 1); }
   bool reversed(CoedgeId c) const { return (coedges_[c.index()].edge_sense & 1u) != 0; }
   LoopId loop(CoedgeId c) const { return LoopId(coedges_[c.index()].loop); }
@@ -90,10 +123,10 @@ class Complex {
 
   // Loop.
   FaceId face(LoopId l) const { return FaceId(loops_[l.index()].face); }
-  bool is_vertex_loop(LoopId l) const { return (loops_[l.index()].first & vertex_tag) != 0; }
+  bool is_vertex_loop(LoopId l) const { return (loops_[l.index()].first & tag) != 0; }
   /// The vertex of a loop that is a single vertex; else invalid.
   VertexId loop_vertex(LoopId l) const {
-    return is_vertex_loop(l) ? VertexId(loops_[l.index()].first & ~vertex_tag) : VertexId();
+    return is_vertex_loop(l) ? VertexId(loops_[l.index()].first & ~tag) : VertexId();
   }
   CoedgeId first_coedge(LoopId l) const { return is_vertex_loop(l) ? CoedgeId() : CoedgeId(loops_[l.index()].first); }
 
@@ -133,8 +166,7 @@ class Complex {
                  [this](FaceUse u) { return FaceUse::from_index(faces_[u.face().index()].next_in_shell[u.side()]); });
   }
   auto wires(ShellId s) const {
-    return chain(EdgeId(shells_[s.index()].first_wire),
-                 [this](EdgeId e) { return EdgeId(edges_[e.index()].coedge_or_next_wire); });
+    return chain(wire_edge(shells_[s.index()].first_wire), [this](EdgeId e) { return next_wire(e); });
   }
   auto shells(RegionId r) const {
     return chain(ShellId(regions_[r.index()].first_shell),
@@ -152,60 +184,88 @@ class Complex {
   /// Is the face two-sided within one region (an internal or dangling sheet), so that it bounds nothing?
   bool has_same_region_on_both_sides(FaceId f) const { return region(FaceUse(f, 0)) == region(FaceUse(f, 1)); }
 
+  /// Bytes allocated for all of it, shared pages included; and those not shared with an earlier state of it.
   std::size_t allocated_bytes() const;
+  std::size_t bytes_not_shared_with(const Complex& earlier) const;
 
  private:
   friend Complex assemble_unchecked(const Incidence& incidence);
-  friend struct ComplexAccess;  // the operators and the dump
+  friend class Editor;  // what operators change the records with (editor.h)
+  friend struct ComplexDifference;
 
   static constexpr std::uint32_t none = 0xffffffffu;
-  static constexpr std::uint32_t vertex_tag = 0x80000000u;
+  static constexpr std::uint32_t dead = 0xfffffffeu;
+  static constexpr std::uint32_t tag = 0x80000000u;
 
+  // A killed record says `dead` in the member marked (*) and the next free row in the one marked (+).
   struct VertexRecord {
-    std::uint32_t first_end = none;  // 2 * edge + end
-    std::uint32_t owner = none;  // its first point use, or, when isolated in a region, a shell tagged with vertex_tag
+    std::uint32_t first_end = none;  // (*) 2 * edge + end
+    std::uint32_t owner = none;      // (+) its first point use, or, when isolated in a region, its shell, tagged
   };
   struct EdgeRecord {
-    std::uint32_t vertex[2] = {none, none};
+    std::uint32_t vertex[2] = {none, none};                        // (*) (+)
     std::uint32_t next[2] = {none, none}, prev[2] = {none, none};  // the cycle of edge ends at each vertex
-    std::uint32_t coedge_or_next_wire = none;
-    std::uint32_t shell = none;  // valid for wires only
+    std::uint32_t first_use = none;                                // a coedge; for a wire its wire use, tagged
+  };
+  struct WireRecord {  // the use of an edge by a shell, where no face uses it
+    std::uint32_t edge = none, shell = none, next = none, prev = none;  // (*) (+); prev of the first is the last
   };
   struct CoedgeRecord {
-    std::uint32_t next = none, prev = none, radial = none, edge_sense = none, loop = none;
+    std::uint32_t next = none, prev = none, radial = none, edge_sense = none, loop = none;  // next (+), loop (*)
   };
-  struct PointUseRecord {  // a loop that is a single vertex; few
-    std::uint32_t loop = none, next = none;
+  struct PointUseRecord {                    // a loop that is a single vertex; few
+    std::uint32_t loop = none, next = none;  // (*) (+)
   };
   struct LoopRecord {
-    std::uint32_t first = none;  // a coedge, or a vertex tagged with vertex_tag
-    std::uint32_t next = none, face = none;
+    std::uint32_t first = none;                           // a coedge, or a vertex, tagged
+    std::uint32_t next = none, prev = none, face = none;  // (+); prev of the first is the last; (*)
   };
   struct FaceRecord {
-    std::uint32_t first_loop = none;
-    std::uint32_t shell[2] = {none, none}, next_in_shell[2] = {none, none};
-    std::uint32_t spare = 0;
+    std::uint32_t first_loop = none;                                                 // (*)
+    std::uint32_t shell[2] = {none, none};                                           // [0] (+)
+    std::uint32_t next_in_shell[2] = {none, none}, prev_in_shell[2] = {none, none};  // prev of the first is the last
   };
   struct ShellRecord {
-    std::uint32_t region = none, next = none, first_face_use = none, first_wire = none, vertex = none;
+    std::uint32_t region = none, next = none, prev = none;  // (*) (+); prev of the first is the last
+    std::uint32_t first_face_use = none, first_wire = none, vertex = none;
   };
   struct RegionRecord {
-    std::uint32_t first_shell = none;
-    std::uint32_t filled = 0;
+    std::uint32_t first_shell = none;  // (+)
+    std::uint32_t filled = 0;          // (*)
+  };
+
+  enum Rows {
+    vertex_rows,
+    edge_rows,
+    wire_rows,
+    coedge_rows,
+    point_rows,
+    loop_rows,
+    face_rows,
+    shell_rows,
+    region_rows,
+    row_kinds
+  };
+  struct FreeRows {
+    std::uint32_t first = none, count = 0;
   };
 
   static EdgeEnd decode(std::uint32_t code) {
     return code == none ? EdgeEnd{} : EdgeEnd{EdgeId(code >> 1), static_cast<int>(code & 1u)};
   }
+  EdgeId wire_edge(std::uint32_t wire) const { return wire == none ? EdgeId() : EdgeId(wires_[wire].edge); }
+  EdgeId next_wire(EdgeId e) const { return wire_edge(wires_[edges_[e.index()].first_use & ~tag].next); }
 
   Pages<VertexRecord> vertices_;
   Pages<EdgeRecord> edges_;
+  Pages<WireRecord> wires_;
   Pages<CoedgeRecord> coedges_;
   Pages<PointUseRecord> point_uses_;
   Pages<LoopRecord> loops_;
   Pages<FaceRecord> faces_;
   Pages<ShellRecord> shells_;
   Pages<RegionRecord> regions_;
+  std::array<FreeRows, row_kinds> free_;
 };
 
 }  // namespace aresta
