@@ -239,8 +239,8 @@ class Maker {
     edit_.free(x.other);
   }
 
-  void back(const JoiningChange& x) {
-    const LoopId other = edit_.make_loop(x.other);
+  void back(JoiningChange& x) {
+    const LoopId other = x.other = edit_.make_loop(x.other);
     edit_.append_loop(k_.face(x.loop), other);
     const CoedgeId before_ahead = k_.prev(x.ahead), before_back = k_.prev(x.back);
     if (x.to.valid()) {
@@ -506,7 +506,7 @@ class Maker {
 
   void divide(FaceUse a, FaceUse b, Division& d) {
     std::vector<FaceUse> part;
-    if (sides_connected(k_, a, b, d.side == 1, &part)) return;
+    if (d.never || sides_connected(k_, a, b, d.side == 1, &part)) return;
     std::vector<Item> items(part.begin(), part.end());
     for (const Item item : d.others) {
       if (item.kind == Item::Kind::side) {

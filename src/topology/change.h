@@ -47,6 +47,7 @@ struct LoopPlacement {
 /// A region that a change divides off another one.
 struct Division {
   RegionId region;  ///< the new one; invalid: nothing is divided
+  bool never = false;  ///< nothing is divided, whatever is connected
   bool filled = false;
   int side = 1;              ///< which of the two separated sides the new region gets
   std::vector<Item> others;  ///< what else of the old region goes to the new one; one side stands for its component

@@ -151,6 +151,9 @@ FaceChange face_removal(const Complex& k, FaceId f, RegionId kept) {
     }
     std::sort(d.others.begin(), d.others.end());
   }
+  // With one region on both sides there was nothing to divide, even where the sides are not connected: that happens in
+  // complexes that do not fit into space.
+  x.division.never = front == back;
   x.region = x.division.side == 0 && x.division.region.valid() ? back : front;
   std::vector<CoedgeId> all;
   for (const LoopId l : k.loops(f)) {

@@ -172,6 +172,7 @@ Result<Applied> g_e(Complex& k, EdgeId kept, EdgeId gone, const EdgeGluing& glui
   x.uses = uses_from(k, gone, at.gone_after, flipped);
   x.division = gluing.division;
   x.division.region = RegionId();
+  x.division.never = false;
   const EdgeMergeChange& made = op.make(x);
   if (made.division.region.valid()) {
     const FaceUse stays = made.division.side == 1 ? k.side_after(made.after) : k.side_after(made.uses.back());

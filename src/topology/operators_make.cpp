@@ -221,6 +221,7 @@ Result<Applied> m_f(Complex& k, const FaceSpec& spec) {
   change.loops = std::move(loops);
   change.division = spec.division;
   change.division.region = RegionId();
+  change.division.never = false;
   const FaceChange& made = op.make(std::move(change));
   for (const LoopPlacement& loop : made.loops) {
     if (loop.coedges.empty()) ARESTA_CHECK(require_no_double_corner(k, loop.vertex));
