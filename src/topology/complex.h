@@ -198,6 +198,8 @@ class Complex {
   friend Complex assemble_unchecked(const Incidence& incidence);
   friend class Editor;  // what operators change the records with (editor.h)
   friend struct ComplexDifference;
+  friend struct ComplexRows;     // reads the records as they are (rows_detail.h)
+  friend struct ComplexBreaker;  // breaks them, in tests of the checker
 
   static constexpr std::uint32_t none = 0xffffffffu;
   static constexpr std::uint32_t dead = 0xfffffffeu;
