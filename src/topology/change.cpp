@@ -2,7 +2,6 @@
 #include "topology/change.h"
 
 #include <algorithm>
-#include <set>
 
 #include "topology/components.h"
 #include "topology/editor.h"
@@ -506,7 +505,7 @@ class Maker {
 
   void divide(FaceUse a, FaceUse b, Division& d) {
     std::vector<FaceUse> part;
-    if (d.never || sides_connected(k_, a, b, d.side == 1, &part)) return;
+    if (d.extent == Division::Extent::nothing || sides_connected(k_, a, b, d.side == 1, &part)) return;
     std::vector<Item> items(part.begin(), part.end());
     for (const Item item : d.others) {
       if (item.kind == Item::Kind::side) {
@@ -518,31 +517,30 @@ class Maker {
     }
     std::sort(items.begin(), items.end());
     items.erase(std::unique(items.begin(), items.end()), items.end());
-    add_enclosed_wires(items);
+    const RegionId old = region_of(k_, items.front());
     d.region = edit_.make_region(d.filled, d.region);
     edit_.move_to_region(items, d.region);
+    if (d.extent == Division::Extent::found) follow(items, old, d.side == 1 ? a : b, d.region);
   }
 
-  /// Wires that hang on nothing that stays, directly or through other wires, go with the items.
-  void add_enclosed_wires(std::vector<Item>& items) {
-    const RegionId r = region_of(k_, items.front());
-    std::set<Item> going(items.begin(), items.end());
-    std::vector<VertexId> reached;
-    for (const Item item : items) for_each_vertex_of(k_, item, [&](VertexId v) { reached.push_back(v); });
-    for (std::size_t i = 0; i < reached.size(); ++i) {
-      std::vector<EdgeId> wires;
-      bool something_stays = false;
-      for_each_item_at(k_, reached[i], [&](Item item) {
-        if (region_of(k_, item) != r || going.contains(item)) return;
-        if (item.kind == Item::Kind::wire) wires.push_back(item.wire());
-        something_stays = something_stays || item.kind == Item::Kind::side;
-      });
-      if (something_stays) continue;
-      for (const EdgeId e : wires) {
-        if (!going.insert(Item(e)).second) continue;
-        items.push_back(Item(e));
-        reached.push_back(k_.start(e));
-        reached.push_back(k_.end(e));
+  /// A connected complex meets a region in one shell. So where items have left a shell that has fallen apart, all of it
+  /// but the part that `stays` is in goes with them.
+  void follow(std::vector<Item> items, RegionId old, FaceUse stays, RegionId region) {
+    while (!items.empty()) {
+      std::vector<VertexId> touched;
+      for (const Item item : items) for_each_vertex_of(k_, item, [&](VertexId v) { touched.push_back(v); });
+      std::sort(touched.begin(), touched.end());
+      touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+      for (const VertexId v : touched) edit_.unite_at(v);
+      items.clear();
+      for (const VertexId v : touched) {
+        const ShellId s = shell_at(k_, v, old);
+        if (!s.valid() || s == k_.shell(stays)) continue;
+        std::vector<Item> left;
+        for (const FaceUse u : k_.face_uses(s)) left.push_back(u);
+        for (const EdgeId e : k_.wires(s)) left.push_back(e);
+        edit_.move_to_region(left, region);
+        items.insert(items.end(), left.begin(), left.end());
       }
     }
   }

@@ -46,8 +46,13 @@ struct LoopPlacement {
 
 /// A region that a change divides off another one.
 struct Division {
+  enum class Extent {
+    found,  ///< what is no longer connected with what stays goes too: wires and parts that hang on the new region alone
+    exact,  ///< `others` is all that goes
+    nothing  ///< nothing is divided, even where sides are not connected (in complexes that do not fit into space)
+  };
   RegionId region;  ///< the new one; invalid: nothing is divided
-  bool never = false;  ///< nothing is divided, whatever is connected
+  Extent extent = Extent::found;
   bool filled = false;
   int side = 1;              ///< which of the two separated sides the new region gets
   std::vector<Item> others;  ///< what else of the old region goes to the new one; one side stands for its component

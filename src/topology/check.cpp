@@ -14,8 +14,8 @@ std::vector<StructuralFinding> check_structure(const Complex& complex, Structure
   check_rows(rows, findings);
   if (findings.empty()) check_lists(rows, findings);
   if (findings.empty()) check_cells(rows, findings);
+  if (findings.empty() && level != StructureLevel::fast) check_shells(complex, findings);
   if (findings.empty() && level == StructureLevel::full) {
-    check_shells(complex, findings);
     check_fans(complex, findings);
     if (findings.empty()) check_regions(complex, findings);
   }

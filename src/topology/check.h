@@ -7,8 +7,10 @@
 //   lists   cycles and chains close, their links answer each other, each member is in the list of its owner
 //   cells   loops close; no cell is empty or unused; the sides of a sector lie in one region, and so do wires and what
 //           they hang on
-//   space   (full only) a shell is what is connected in a region; the cells at a vertex fit on a sphere about it;
-//           regions are reached and connected, as far as can be told without coordinates
+//   shells  (not fast) a shell is what is connected in a region
+//   space   (full only) the cells at a vertex fit on a sphere about it; regions are reached and connected, as far as
+//   can
+//           be told without coordinates
 //
 // The last follows from duality in space. Take the parts of faces that are connected through edges, and the regions:
 // each closed surface of sides (connected through sectors) links one part to one region, and these links make a tree:
@@ -27,8 +29,9 @@
 namespace aresta {
 
 enum class StructureLevel {
-  fast,  ///< links and what can be seen about one cell
-  full   ///< also shells, regions and the order about vertices
+  fast,    ///< links and what can be seen about one cell
+  shells,  ///< also shells
+  full     ///< also what must hold in space: the order about vertices, regions
 };
 
 /// All findings; an empty list is the only good answer.

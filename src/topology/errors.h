@@ -17,4 +17,6 @@ inline constexpr ErrorCode would_pinch{307, "topology.would_pinch"};      ///< t
 inline constexpr ErrorCode senses_disagree{308, "topology.senses_disagree"};  ///< orientations do not fit
 inline constexpr ErrorCode cuts_wire{309, "topology.cuts_wire"};              ///< a wire would pass through a face
 
+inline constexpr ErrorCode no_space{320, "topology.no_space"};  ///< cannot be laid out in space
+
 }  // namespace aresta::errors

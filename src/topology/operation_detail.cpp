@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/union_find.h"
 #include "topology/components.h"
 
 namespace aresta {
@@ -151,9 +152,7 @@ FaceChange face_removal(const Complex& k, FaceId f, RegionId kept) {
     }
     std::sort(d.others.begin(), d.others.end());
   }
-  // With one region on both sides there was nothing to divide, even where the sides are not connected: that happens in
-  // complexes that do not fit into space.
-  x.division.never = front == back;
+  x.division.extent = front == back ? Division::Extent::nothing : Division::Extent::exact;
   x.region = x.division.side == 0 && x.division.region.valid() ? back : front;
   std::vector<CoedgeId> all;
   for (const LoopId l : k.loops(f)) {
@@ -196,6 +195,69 @@ Status require_no_double_corner(const Complex& k, VertexId v) {
                      name_of(v) + " would be a loop of " + name_of(f) + " and in another loop of it",
                      {v, f}};
       }
+    }
+  }
+  return {};
+}
+
+namespace {
+
+/// Does the graph of edge ends (nodes) and corners (arcs) about the vertex fit on a sphere, with the radial orders
+/// given? Each connected part of it must: nodes - arcs + fans = 2.
+bool fans_fit(const Complex& k, VertexId v) {
+  std::vector<CoedgeId> corners;  // as the coedges that start at v
+  std::vector<EdgeEnd> ends;
+  for (const EdgeEnd end : k.edge_ends(v)) {
+    if (k.is_wire(end.edge)) continue;
+    ends.push_back(end);
+    for (const CoedgeId c : k.coedges(end.edge)) {
+      if (k.reversed(c) == (end.end == 1)) corners.push_back(c);
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  std::sort(ends.begin(), ends.end());
+  const auto corner = [&](CoedgeId c) {
+    return static_cast<std::size_t>(std::lower_bound(corners.begin(), corners.end(), c) - corners.begin());
+  };
+  const auto node = [&](CoedgeId c, bool at_start) {
+    const EdgeEnd end{k.edge(c), k.reversed(c) == at_start ? 1 : 0};
+    return static_cast<std::size_t>(std::lower_bound(ends.begin(), ends.end(), end) - ends.begin());
+  };
+  UnionFind parts(ends.size()), fans(2 * corners.size());
+  for (const CoedgeId c : corners) parts.unite(node(c, true), node(k.prev(c), false));
+  for (const EdgeEnd end : ends) {
+    for (const CoedgeId c : k.coedges(end.edge)) {
+      const CoedgeId d = k.radial(c);
+      const auto corner_of = [&](CoedgeId x) { return corner(k.reversed(x) == (end.end == 1) ? x : k.next(x)); };
+      fans.unite(2 * corner_of(c) + static_cast<std::size_t>(k.side_after(c).side()),
+                 2 * corner_of(d) + static_cast<std::size_t>(k.side_before(d).side()));
+    }
+  }
+  std::vector<int> euler(ends.size(), 0);
+  for (std::size_t n = 0; n < ends.size(); ++n) ++euler[parts.find(n)];
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    int& sum = euler[parts.find(node(corners[i], true))];
+    --sum;
+    for (std::size_t side = 2 * i; side < 2 * i + 2; ++side) sum += fans.find(side) == side;
+  }
+  for (std::size_t n = 0; n < ends.size(); ++n) {
+    if (parts.find(n) == n && euler[n] != 2) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Status require_fans_fit(const Complex& k, std::vector<VertexId> vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (const VertexId v : vertices) {
+    if (!fans_fit(k, v)) {
+      return Error{errors::no_space,
+                   "at " + name_of(v) + " faces would have to pass through each other",
+                   {v},
+                   {},
+                   "other sectors of the edges there"};
     }
   }
   return {};

@@ -67,6 +67,7 @@ FaceChange face_removal(const Complex& k, FaceId f, RegionId kept);
 /// A vertex that is a loop of a face may not be in another loop of it.
 Status require_no_double_corner(const Complex& k, VertexId v);
 
-bool is_bare_but_for_points(const Complex& k, VertexId v);
+/// On a small sphere about each vertex, edges are points and corners of faces are arcs: these must not cross.
+Status require_fans_fit(const Complex& k, std::vector<VertexId> vertices);
 
 }  // namespace aresta::detail

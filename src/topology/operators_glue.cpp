@@ -172,8 +172,9 @@ Result<Applied> g_e(Complex& k, EdgeId kept, EdgeId gone, const EdgeGluing& glui
   x.uses = uses_from(k, gone, at.gone_after, flipped);
   x.division = gluing.division;
   x.division.region = RegionId();
-  x.division.never = false;
+  x.division.extent = Division::Extent::found;
   const EdgeMergeChange& made = op.make(x);
+  ARESTA_CHECK(require_fans_fit(k, {k.start(kept), k.end(kept)}));
   if (made.division.region.valid()) {
     const FaceUse stays = made.division.side == 1 ? k.side_after(made.after) : k.side_after(made.uses.back());
     if (k.region(stays) == made.division.region) {
@@ -291,6 +292,9 @@ Result<Applied> g_f(Complex& k, FaceUse kept, FaceUse gone, std::span<const std:
   }
   if (!is_between()) {
     return pinch("the space between " + name_of(f) + " and " + name_of(g) + " is not theirs alone", {f, g});
+  }
+  for (const auto& loop : loops) {
+    for (const Pair& p : loop) ARESTA_CHECK(require_fans_fit(k, {k.start(p.c)}));
   }
   FaceMergeChange x;
   x.kept = f;

@@ -56,16 +56,17 @@ bool is_used_twice_by_one_loop(const Complex& k, EdgeId e) {
 
 /// Would the face be left with a vertex that is a loop and also in another loop of it?
 bool leaves_double_corner(const Complex& k, const JoiningChange& x) {
-  if (x.from.valid() && x.to.valid()) return false;
-  if (!x.from.valid() && !x.to.valid()) return x.start == x.end;
-  const VertexId lone = x.from.valid() ? x.end : x.start;
-  for (const LoopId l : k.loops(k.face(x.loop))) {
-    for (const CoedgeId c : k.coedges(l)) {
-      if (c != x.ahead && c != x.back && k.start(c) == lone) return true;
+  const auto occurs = [&](VertexId v) {
+    for (const LoopId l : k.loops(k.face(x.loop))) {
+      if (k.loop_vertex(l) == v) return true;
+      for (const CoedgeId c : k.coedges(l)) {
+        if (c != x.ahead && c != x.back && k.start(c) == v) return true;
+      }
     }
-    if (k.loop_vertex(l) == lone) return true;
-  }
-  return false;
+    return false;
+  };
+  if (!x.from.valid() && !x.to.valid() && x.start == x.end) return true;
+  return (!x.from.valid() && occurs(x.start)) || (!x.to.valid() && occurs(x.end));
 }
 
 /// An edge between two faces of agreeing orientation: the change that would divide the face that remains.
@@ -74,21 +75,21 @@ AcrossChange across_removal(const Complex& k, EdgeId e, FaceId kept) {
   x.edge = e;
   x.ahead = k.first_coedge(e);
   x.back = k.radial(x.ahead);
-  const bool lone_ahead = k.next(x.ahead) == x.ahead, lone_back = k.next(x.back) == x.back;
+  const auto is_lone = [&](CoedgeId c) { return k.next(c) == c; };
   // A loop that is this edge alone can only be the one that goes; else it is a matter of choice.
-  const bool swap = lone_ahead != lone_back ? lone_ahead
-                    : kept.valid()          ? k.face(x.back) == kept
-                                            : k.face(x.back) < k.face(x.ahead);
+  const bool swap = is_lone(x.ahead) != is_lone(x.back) ? is_lone(x.ahead)
+                    : kept.valid()                      ? k.face(x.back) == kept
+                                                        : k.face(x.back) < k.face(x.ahead);
   if (swap) std::swap(x.ahead, x.back);
   x.reversed = k.reversed(x.ahead);
   x.loop = k.loop(x.ahead);
   x.new_loop = k.loop(x.back);
   x.face = k.face(x.ahead);
   x.new_face = k.face(x.back);
-  if (lone_ahead && lone_back) {
+  if (is_lone(x.ahead)) {
     x.vertex = k.start(x.ahead);
   } else {
-    x.from = lone_back ? k.next(x.ahead) : k.next(x.back);
+    x.from = is_lone(x.back) ? k.next(x.ahead) : k.next(x.back);
     x.to = k.next(x.ahead);
   }
   for (const LoopId l : k.loops(x.new_face)) {
@@ -125,12 +126,14 @@ Result<Applied> k_v(Complex& k, VertexId v) {
     const EdgeEnd end = *k.edge_ends(v).begin();
     // A strut inside a face goes with its vertex and leaves the face.
     if (k.edge_ends(v).count() == 1 && k.vertex_loops(v).empty() && is_used_twice_by_one_loop(k, end.edge)) {
-      JoiningChange x = joining_removal(k, end.edge);
-      const FaceId f = k.face(x.loop);
-      op.kill(x);
-      const LoopId l = k.vertex_loops(v).front();
-      op.kill(LoopPointChange{v, {LoopPlacement{l, v, {}}}, {f}});
-      return op.finish("", "sl", "vrsfle", true);
+      const JoiningChange x = joining_removal(k, end.edge);
+      if (!leaves_double_corner(k, x)) {
+        const FaceId f = k.face(x.loop);
+        op.kill(x);
+        const LoopId l = k.vertex_loops(v).front();
+        op.kill(LoopPointChange{v, {LoopPlacement{l, v, {}}}, {f}});
+        return op.finish("", "sl", "vrsfle", true);
+      }
     }
     for (const FaceId f : faces_at(k, v)) op.kill(face_removal(k, f, {}));
     while (!k.has_no_edge(v)) op.kill(wire_removal(k, (*k.edge_ends(v).begin()).edge));

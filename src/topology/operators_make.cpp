@@ -221,11 +221,12 @@ Result<Applied> m_f(Complex& k, const FaceSpec& spec) {
   change.loops = std::move(loops);
   change.division = spec.division;
   change.division.region = RegionId();
-  change.division.never = false;
+  change.division.extent = Division::Extent::found;
   const FaceChange& made = op.make(std::move(change));
   for (const LoopPlacement& loop : made.loops) {
     if (loop.coedges.empty()) ARESTA_CHECK(require_no_double_corner(k, loop.vertex));
   }
+  ARESTA_CHECK(require_fans_fit(k, vertices_of(k, spec)));
   const Division& d = made.division;
   if (d.region.valid()) {
     if (k.region(FaceUse(made.face, 1 - d.side)) != r) {
