@@ -42,13 +42,13 @@ void check(const L& lists, Broken&& broken, Foreign&& foreign, Missing&& missing
   }
   if (!links_answer) return;
 
-  std::vector<bool> seen(lists.members, false), reported(lists.owners, false);
+  std::vector<bool> seen(lists.members, false), strange(lists.members, false), reported(lists.owners, false);
   for (std::uint32_t o = 0; o < lists.owners; ++o) {
     const std::uint32_t first = lists.first(o);
     if (first == none) continue;
     if (lists.owner(first) != o) {
       foreign(o, first);
-      reported[o] = true;
+      strange[first] = reported[o] = true;
       continue;
     }
     for (std::uint32_t m = first;;) {
@@ -75,7 +75,7 @@ void check(const L& lists, Broken&& broken, Foreign&& foreign, Missing&& missing
     }
   }
   for (std::uint32_t m = 0; m < lists.members; ++m) {
-    if (lists.is_live(m) && !seen[m] && !reported[lists.owner(m)]) missing(lists.owner(m), m);
+    if (lists.is_live(m) && !seen[m] && !strange[m] && !reported[lists.owner(m)]) missing(lists.owner(m), m);
   }
 }
 
