@@ -1,20 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// mutate_topology SEED CASES: tries each reader of topology/ with so many mutated texts, and says how it went. Texts
-// that went wrong are left in the current folder, to be added to tests/corpus/topology.
+// Tries the readers of topology/ without a fuzzer, and gives fuzzers texts to begin with.
+//
+//   mutate_topology SEED CASES        each reader with so many mutated texts; those that go wrong are left in the
+//                                     current folder, to be added to tests/corpus/topology
+//   mutate_topology corpus FOLDER     writes the texts to begin with into FOLDER/dump, FOLDER/json, FOLDER/notation
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
 #include "fuzz/mutations.h"
 
-int main(int argument_count, char** arguments) {
-  using namespace aresta::test;
-  if (argument_count != 3) {
-    std::cerr << "usage: mutate_topology SEED CASES\n";
-    return 2;
+namespace {
+
+using namespace aresta::test;
+
+int write_corpus(const std::filesystem::path& folder) {
+  for (const Format& format : formats()) {
+    std::filesystem::create_directories(folder / format.name);
+    int number = 0;
+    for (const auto& text : corpus(format)) {
+      std::ofstream(folder / format.name / std::to_string(number++), std::ios::binary) << text.text;
+    }
   }
-  const std::uint64_t seed = std::strtoull(arguments[1], nullptr, 10);
-  const unsigned long cases = std::strtoul(arguments[2], nullptr, 10);
+  return 0;
+}
+
+int try_mutations(std::uint64_t seed, unsigned long cases) {
   unsigned long all_wrong = 0;
   for (const Format& format : formats()) {
     const auto texts = corpus(format);
@@ -35,4 +47,15 @@ int main(int argument_count, char** arguments) {
     all_wrong += wrong;
   }
   return all_wrong == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  if (argument_count != 3) {
+    std::cerr << "usage: mutate_topology SEED CASES | mutate_topology corpus FOLDER\n";
+    return 2;
+  }
+  if (std::string(arguments[1]) == "corpus") return write_corpus(arguments[2]);
+  return try_mutations(std::strtoull(arguments[1], nullptr, 10), std::strtoul(arguments[2], nullptr, 10));
 }
