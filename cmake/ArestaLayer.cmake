@@ -7,6 +7,13 @@ if(ARESTA_SANITIZE)
   target_compile_options(aresta_flags INTERFACE -fsanitize=${ARESTA_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(aresta_flags INTERFACE -fsanitize=${ARESTA_SANITIZE})
 endif()
+if(ARESTA_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    message(FATAL_ERROR "ARESTA_FUZZ needs clang: cmake --preset fuzz")
+  endif()
+  target_compile_options(aresta_flags INTERFACE -fsanitize=fuzzer-no-link)
+  target_link_options(aresta_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 
 # What a user of the program needs: the program and every module that it may load. Targets add themselves.
 add_custom_target(aresta_program)

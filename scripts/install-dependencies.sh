@@ -39,6 +39,7 @@ style   clang-tidy-16                     names and common mistakes (14 fails on
 style   python3                           scripts/check-layers
 bench   libbenchmark-dev                  micro-benchmarks (-DARESTA_BENCH=ON)
 clang   clang-16                          the second compiler (preset clang-16)
+clang   libclang-rt-16-dev                sanitizers and libFuzzer for it (preset fuzz)
 '
 
 if [ "${1:-}" = --list ]; then

@@ -108,53 +108,67 @@ void put_list(std::string& text, const Complex& k, const char* name, const Range
 
 // --- reading
 
+/// Where a value is, as in /faces/0/loops; put into words for errors alone.
+struct Path {
+  const Path* parent = nullptr;
+  const char* name = nullptr;
+  std::size_t index = 0;
+
+  std::string text() const {
+    if (parent == nullptr) return "";
+    return parent->text() + "/" + (name != nullptr ? std::string(name) : std::to_string(index));
+  }
+};
+
 /// Reads values until the first error, which stays.
 class Reader {
  public:
   Result<ComplexRecords> run(const Json& root) {
-    if (member(root, "format", "") != "aresta complex") fail("/format", "\"aresta complex\"");
-    const Json& version = member(root, "version", "");
+    const Path top;
+    if (member(root, "format", top) != "aresta complex") fail({&top, "format"}, "\"aresta complex\"");
+    const Json& version = member(root, "version", top);
     if (!failed() && version != 1) {
       error_ = Error{errors::dump_version, "/version: 1 is expected"};
     }
-    each(root, "regions", "", [&](const Json& value, const std::string& path) { read_region(value, path); });
-    each(root, "faces", "", [&](const Json& value, const std::string& path) { read_face(value, path); });
-    each(root, "edges", "", [&](const Json& value, const std::string& path) { read_edge(value, path); });
-    each(root, "vertices", "",
-         [&](const Json& value, const std::string& path) { records_.vertices.push_back({id<VertexId>(value, path)}); });
+    each(root, "regions", top, [&](const Json& value, const Path& path) { read_region(value, path); });
+    each(root, "faces", top, [&](const Json& value, const Path& path) { read_face(value, path); });
+    each(root, "edges", top, [&](const Json& value, const Path& path) { read_edge(value, path); });
+    each(root, "vertices", top,
+         [&](const Json& value, const Path& path) { records_.vertices.push_back({id<VertexId>(value, path)}); });
     if (error_) return *std::move(error_);
     return std::move(records_);
   }
 
  private:
   bool failed() const { return error_.has_value(); }
-  void fail(const std::string& path, const std::string& wanted) {
-    if (!failed()) error_ = Error{errors::bad_dump, path + ": " + wanted + " is expected"};
+  void fail(const Path& path, const std::string& wanted) {
+    if (!failed())
+      error_ = Error{errors::bad_dump, (path.parent == nullptr ? "/" : path.text()) + ": " + wanted + " is expected"};
   }
 
   /// A member of an object; null when there is none, which is an error.
-  const Json& member(const Json& object, const char* name, const std::string& path) {
+  const Json& member(const Json& object, const char* name, const Path& path) {
     static const Json null;
     if (!failed() && object.is_object()) {
       if (const auto at = object.find(name); at != object.end()) return *at;
     }
-    fail(path.empty() ? "/" : path, "an object with \"" + std::string(name) + "\"");
+    fail(path, "an object with \"" + std::string(name) + "\"");
     return null;
   }
 
   template <class Visit>
-  void each(const Json& object, const char* name, const std::string& path, Visit&& visit) {
+  void each(const Json& object, const char* name, const Path& path, Visit&& visit) {
     const Json& list = member(object, name, path);
-    const std::string here = path + "/" + name;
+    const Path here{&path, name};
     if (!list.is_array()) fail(here, "a list");
-    for (std::size_t i = 0; !failed() && i < list.size(); ++i) visit(list[i], here + "/" + std::to_string(i));
+    for (std::size_t i = 0; !failed() && i < list.size(); ++i) visit(list[i], Path{&here, nullptr, i});
   }
 
   template <class IdType>
-  IdType id(const Json& object, const std::string& path, const char* name = "id") {
-    return IdType(number(member(object, name, path), path + "/" + name));
+  IdType id(const Json& object, const Path& path, const char* name = "id") {
+    return IdType(number(member(object, name, path), Path{&path, name}));
   }
-  std::uint32_t number(const Json& value, const std::string& path) {
+  std::uint32_t number(const Json& value, const Path& path) {
     if (value.is_number_unsigned()) {
       return static_cast<std::uint32_t>(std::min<std::uint64_t>(value.get<std::uint64_t>(), largest_id));
     }
@@ -162,17 +176,17 @@ class Reader {
     return 0;
   }
 
-  void read_region(const Json& value, const std::string& path) {
+  void read_region(const Json& value, const Path& path) {
     const RegionId r = id<RegionId>(value, path);
     const Json& kind = member(value, "kind", path);
     if (kind != "infinite" && kind != "filled" && kind != "empty") {
-      fail(path + "/kind", "\"infinite\", \"filled\" or \"empty\"");
+      fail({&path, "kind"}, "\"infinite\", \"filled\" or \"empty\"");
     }
     records_.regions.push_back({r, kind == "filled"});
-    each(value, "shells", path, [&](const Json& shell, const std::string& here) { read_shell(shell, here, r); });
+    each(value, "shells", path, [&](const Json& shell, const Path& here) { read_shell(shell, here, r); });
   }
 
-  void read_shell(const Json& value, const std::string& path, RegionId r) {
+  void read_shell(const Json& value, const Path& path, RegionId r) {
     const auto index = static_cast<std::uint32_t>(records_.shells.size());
     records_.shells.push_back({r});
     if (value.is_object() && value.contains("vertex")) {
@@ -180,44 +194,44 @@ class Reader {
       return;
     }
     const auto read_side = [&](const char* name, int side) {
-      each(value, name, path, [&](const Json& face, const std::string& here) {
+      each(value, name, path, [&](const Json& face, const Path& here) {
         records_.items.push_back({FaceUse(FaceId(number(face, here)), side), index});
       });
     };
     read_side("front", 0);
     read_side("back", 1);
-    each(value, "wires", path, [&](const Json& edge, const std::string& here) {
+    each(value, "wires", path, [&](const Json& edge, const Path& here) {
       records_.items.push_back({EdgeId(number(edge, here)), index});
     });
   }
 
-  void read_face(const Json& value, const std::string& path) {
+  void read_face(const Json& value, const Path& path) {
     const auto index = static_cast<std::uint32_t>(records_.faces.size());
     records_.faces.push_back({id<FaceId>(value, path)});
-    each(value, "loops", path, [&](const Json& loop, const std::string& here) { read_loop(loop, here, index); });
+    each(value, "loops", path, [&](const Json& loop, const Path& here) { read_loop(loop, here, index); });
   }
 
-  void read_loop(const Json& value, const std::string& path, std::uint32_t face) {
+  void read_loop(const Json& value, const Path& path, std::uint32_t face) {
     const auto index = static_cast<std::uint32_t>(records_.loops.size());
     records_.loops.push_back({id<LoopId>(value, path), VertexId(), face});
     if (value.is_object() && value.contains("vertex")) {
       records_.loops.back().vertex = id<VertexId>(value, path, "vertex");
       return;
     }
-    each(value, "coedges", path, [&](const Json& coedge, const std::string& here) {
+    each(value, "coedges", path, [&](const Json& coedge, const Path& here) {
       const Json& reversed = member(coedge, "reversed", here);
-      if (!reversed.is_boolean()) fail(here + "/reversed", "true or false");
+      if (!reversed.is_boolean()) fail({&here, "reversed"}, "true or false");
       records_.coedges.push_back(
           {id<CoedgeId>(coedge, here), id<EdgeId>(coedge, here, "edge"), reversed == true, index});
     });
   }
 
-  void read_edge(const Json& value, const std::string& path) {
+  void read_edge(const Json& value, const Path& path) {
     const auto index = static_cast<std::uint32_t>(records_.edges.size());
     records_.edges.push_back(
         {id<EdgeId>(value, path), id<VertexId>(value, path, "start"), id<VertexId>(value, path, "end")});
     if (value.is_object() && value.contains("wire_in")) return;
-    each(value, "coedges", path, [&](const Json& coedge, const std::string& here) {
+    each(value, "coedges", path, [&](const Json& coedge, const Path& here) {
       records_.uses.push_back({CoedgeId(number(coedge, here)), index});
     });
   }
@@ -226,8 +240,12 @@ class Reader {
   std::optional<Error> error_;
 };
 
+Error differs(const std::string& path) {
+  return Error{errors::dump_differs, path + ": not as the rest asks for"};
+}
+
 /// The path of the first thing in which two values differ; as deep as `wanted` is.
-std::optional<std::string> find_difference(const Json& wanted, const Json& found) {
+std::optional<std::string> find_difference(const OrderedJson& wanted, const Json& found) {
   if (wanted.type() != found.type()) return "";
   if (wanted.is_object()) {
     for (const auto& [name, value] : wanted.items()) {
@@ -247,8 +265,33 @@ std::optional<std::string> find_difference(const Json& wanted, const Json& found
     }
     return {};
   }
-  if (wanted != found) return "";
+  if (Json(wanted) != found) return "";
   return {};
+}
+
+template <class Range>
+Status compare_list(const Json& found, const Complex& k, const char* name, const Range& range) {
+  const std::string path = "/" + std::string(name) + "/";
+  const Json& list = found[name];
+  std::size_t i = 0;
+  for (const auto id : range) {
+    const auto inside = i < list.size() ? find_difference(json_of(k, id), list[i]) : "";
+    if (inside) return differs(path + std::to_string(i) + *inside);
+    ++i;
+  }
+  return i < list.size() ? differs(path + std::to_string(i)) : Status();
+}
+
+/// What is said twice, and its order, is right when the result gives the same values.
+Status compare(const Json& found, const Complex& k) {
+  for (const auto& [name, value] : found.items()) {
+    static const char* const known[] = {"format", "version", "regions", "faces", "edges", "vertices"};
+    if (std::find(std::begin(known), std::end(known), name) == std::end(known)) return differs("/" + name);
+  }
+  ARESTA_CHECK(compare_list(found, k, "regions", k.regions()));
+  ARESTA_CHECK(compare_list(found, k, "faces", k.faces()));
+  ARESTA_CHECK(compare_list(found, k, "edges", k.edges()));
+  return compare_list(found, k, "vertices", k.vertices());
 }
 
 /// How deep brackets are nested; the values of a deep text are not even made.
@@ -299,9 +342,7 @@ Result<Complex> parse_json(std::string_view text) {
   ARESTA_TRY(const Json found, read_values(text));
   ARESTA_TRY(const ComplexRecords records, Reader().run(found));
   ARESTA_TRY(Complex k, rebuild(records));
-  if (const auto path = find_difference(Json::parse(dump_json(k)), found)) {
-    return Error{errors::dump_differs, *path + ": not as the rest asks for"};
-  }
+  ARESTA_CHECK(compare(found, k));
   return k;
 }
 

@@ -69,6 +69,7 @@ class Rebuilder {
   explicit Rebuilder(const ComplexRecords& records) : in_(records) {}
 
   Result<Complex> run() {
+    ARESTA_CHECK(check_places());
     ARESTA_CHECK(find_ids());
     ARESTA_CHECK(check_edges());
     ARESTA_CHECK(check_loops());
@@ -80,6 +81,25 @@ class Rebuilder {
   }
 
  private:
+  /// Places in other lists grow and are there.
+  Status check_places() const {
+    const auto fits = [](const auto& list, auto place, std::size_t bound) {
+      std::uint32_t last = 0;
+      for (const auto& record : list) {
+        if (record.*place < last || record.*place >= bound) return false;
+        last = record.*place;
+      }
+      return true;
+    };
+    if (fits(in_.items, &ComplexRecords::ShellItem::shell, in_.shells.size()) &&
+        fits(in_.loops, &ComplexRecords::Loop::face, in_.faces.size()) &&
+        fits(in_.coedges, &ComplexRecords::Coedge::loop, in_.loops.size()) &&
+        fits(in_.uses, &ComplexRecords::Use::edge, in_.edges.size())) {
+      return {};
+    }
+    return bad_id(0, "the lists of records do not follow one another");
+  }
+
   Status find_ids() {
     const std::size_t limit = id_limit(in_.count());
     ARESTA_CHECK(regions_.build(in_.regions, limit));

@@ -17,7 +17,7 @@ inline constexpr ErrorCode record_invariant{313, "topology.record_invariant"};  
 }  // namespace errors
 
 /// Flat lists. Members of type std::uint32_t that are not lines are places in other lists. Loops of a face, coedges of
-/// a loop, uses of an edge and items of a shell are listed one after another, those of the first face first.
+/// a loop, uses of an edge and items of a shell are listed one after another, so that these places grow.
 struct ComplexRecords {
   struct Region {
     RegionId id;

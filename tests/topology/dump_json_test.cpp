@@ -85,6 +85,7 @@ TEST(DumpJson, RefusesWithPlaceAndReason) {
       {"[0,3]", "[3,0]", dump_differs, "/vertices/0/starting/0: not as the rest asks for"},
       {"[0,3]", "[0]", dump_differs, "/vertices/0/starting/1: not as the rest asks for"},
       {"\"isolated_in\":0", "\"isolated_in\":0.0", dump_differs, "/vertices/5/isolated_in: not as the rest asks for"},
+      {"\"version\": 1", "\"version\": 1, \"x\": 1", dump_differs, "/x: not as the rest asks for"},
       {"\"isolated_in\":0", "\"isolated_in\":0,\"x\":[]", dump_differs, "/vertices/5/x: not as the rest asks for"},
   };
   for (const Case& c : cases) {
