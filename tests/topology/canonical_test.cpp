@@ -114,10 +114,10 @@ TEST(Canonical, GapsStayWhereChangesWereTakenBack) {
     const std::string before = dump(k);
     const std::size_t edge_bound = k.edge_bound();
     std::vector<Change> points, wires;
-    for (int i = 0; i < 5; ++i) make(k, points.emplace_back(PointChange{VertexId(), RegionId(0)}));
-    const auto vertex = [&](std::size_t i) { return std::get<PointChange>(points[i]).vertex; };
+    for (int i = 0; i < 5; ++i) make(k, points.emplace_back(Change{PointChange{VertexId(), RegionId(0)}}));
+    const auto vertex = [&](std::size_t i) { return std::get<PointChange>(points[i].what).vertex; };
     for (std::size_t i = 0; i < 3; ++i) {
-      make(k, wires.emplace_back(WireChange{EdgeId(), vertex(i), vertex(i + 1), RegionId(0)}));
+      make(k, wires.emplace_back(Change{WireChange{EdgeId(), vertex(i), vertex(i + 1), RegionId(0)}}));
     }
     take_back(k, wires[1]);
     take_back(k, points[4]);
@@ -150,7 +150,7 @@ TEST(Canonical, GapsAreFilledAfterReading) {
   for (int i = 0; i < 6; ++i) make(*k, changes.emplace_back(PointChange{VertexId(), RegionId(0)}));
   EXPECT_EQ(k->vertex_bound(), 8u);
   EXPECT_EQ(k->vertex_count(), 8u);
-  Change wanted = WireChange{EdgeId(1), VertexId(0), VertexId(7), RegionId(0)};
+  Change wanted{WireChange{EdgeId(1), VertexId(0), VertexId(7), RegionId(0)}};
   make(*k, wanted);
   EXPECT_TRUE(k->is_live(EdgeId(1)));
   EXPECT_EQ(k->edge_count(), 2u);
