@@ -26,7 +26,8 @@ class OcctEngine final : public FragmentEngine {
 
   Result<Imprint> imprint(std::span<const std::shared_ptr<const Model>> operands, double tolerance,
                           const Context& context) const override {
-    ARESTA_TRY(FuseResult fused, general_fuse(operands, tolerance, context));
+    ARESTA_TRY(const FuseInput input, side_by_side(operands));
+    ARESTA_TRY(FuseResult fused, general_fuse(input, tolerance, context));
     return Imprint{std::move(fused.builder), to_parents(fused.vertices), to_parents(fused.edges),
                    to_parents(fused.faces)};
   }
