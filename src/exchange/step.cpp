@@ -50,7 +50,7 @@ std::optional<Counts> recorded_counts(const std::string& data) {
 
 Status require_whole(const std::string& data) {
   const std::size_t head = data.find("ISO-10303-21");
-  if (head == std::string::npos || head > 4096) {
+  if (head > 4096) {  // npos as well
     return Error{errors::bad_content, "this is not a STEP file: it does not begin with ISO-10303-21"};
   }
   if (data.find("END-ISO-10303-21", head) == std::string::npos) {
@@ -97,7 +97,9 @@ Result<Model> read_step(const ReadArguments& in) {
   ARESTA_TRY(void* function, module_function("step", "aresta_step_read"));
   const auto read = reinterpret_cast<StepReadFunction>(function);
   const std::optional<Counts> recorded = recorded_counts(in.data);
-  ARESTA_TRY(const StepContents contents, read(in.data, recorded.has_value(), in.options.length_unit, in.context));
+  Result<StepContents> outcome = StepContents();
+  read(in.data, recorded.has_value(), in.options.length_unit, in.context, &outcome);
+  ARESTA_TRY(const StepContents contents, std::move(outcome));
   in.report.file_unit = contents.file_unit;
   in.report.notes.insert(in.report.notes.end(), contents.notes.begin(), contents.notes.end());
   const bool has_vertices = !contents.whole.null() && contents.whole.counts().vertices > 0;
@@ -242,7 +244,9 @@ Result<std::string> write_step(const Model& model, const ExportOptions&, const C
   const StepParts parts = PartMaker(model, shape.data()).run();
   if (parts.parts.empty()) return Error{errors::export_failed, "the model is empty: there is nothing to write to STEP"};
   ARESTA_TRY(void* function, module_function("step", "aresta_step_write"));
-  return reinterpret_cast<StepWriteFunction>(function)(parts, context);
+  Result<std::string> text = std::string();
+  reinterpret_cast<StepWriteFunction>(function)(parts, context, &text);
+  return text;
 }
 
 }  // namespace aresta
