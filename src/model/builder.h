@@ -83,7 +83,6 @@ class ModelBuilder {
   Result<Model> provisional();
 
  private:
-
   Incidence incidence_;
   std::vector<Vec3> points_;
   std::vector<double> vertex_tolerance_;
