@@ -19,6 +19,7 @@
 #include "exchange/shape_import.h"
 #include "exchange/step/step_module.h"
 #include "fragment/fragment.h"
+#include "fragment/identity.h"
 #include "model/inherit.h"
 #include "occt/model_shape.h"
 #include "occt/shape_data.h"
@@ -75,19 +76,24 @@ Result<std::optional<Model>> share(const StepContents& contents, const Counts& r
     ARESTA_TRY(Model part, import_shape(wrap(in_whole.Value()), labelled, options, report, context));
     parts.push_back(std::make_shared<const Model>(std::move(part)));
   }
-  FragmentOptions plain;
-  plain.detect_regions = false;
-  Result<Fragment> joined = fragment(std::move(parts), plain, context);
-  if (!joined.ok()) {
-    if (joined.error().code == errors::cancelled) return std::move(joined).error();
-    return std::optional<Model>();
+  // What the parts share they mostly have as wholes; intersecting is asked for only where that is not all.
+  for (const FragmentEngine* engine : {&identity_engine(), &occt_engine()}) {
+    FragmentOptions plain;
+    plain.engine = engine;
+    plain.detect_regions = false;
+    Result<Fragment> joined = fragment(parts, plain, context);
+    if (!joined.ok()) {
+      if (joined.error().code == errors::cancelled) return std::move(joined).error();
+      continue;
+    }
+    if (counts_of(*joined->model) != recorded) continue;
+    Model model = *joined->model;
+    inherit_labels(model);
+    model.provenance = nullptr;
+    model.length_unit = options.length_unit;
+    return std::optional<Model>(std::move(model));
   }
-  if (counts_of(*joined->model) != recorded) return std::optional<Model>();
-  Model model = *joined->model;
-  inherit_labels(model);
-  model.provenance = nullptr;
-  model.length_unit = options.length_unit;
-  return std::optional<Model>(std::move(model));
+  return std::optional<Model>();
 }
 
 }  // namespace
