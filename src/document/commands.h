@@ -13,6 +13,7 @@ void register_booleans(Registry& registry);
 void register_access(Registry& registry);
 void register_measures(Registry& registry);
 void register_files(Registry& registry);
+void register_topology(Registry& registry);
 
 /// All of them.
 void register_modelling(Registry& registry);

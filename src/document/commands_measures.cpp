@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "document/commands.h"
+#include "document/complex_shape.h"
 #include "document/counting.h"
 #include "document/errors.h"
 #include "document/mesh_shape.h"
@@ -11,6 +12,8 @@
 #include "model/check.h"
 #include "model/measure.h"
 #include "model/query.h"
+#include "topology/betti.h"
+#include "topology/check.h"
 
 namespace aresta::document {
 
@@ -95,6 +98,22 @@ Result<Value> bounds_of(Call& call) {
   return Value::tuple({point_value(box.low), point_value(box.high)});
 }
 
+/// As of a shape: finite regions, and shells of these.
+Value count_in(const Complex& k, const std::string& what) {
+  std::size_t n = 0;
+  if (what == "components") {
+    n = counts(k).components;
+  } else if (what == "shells") {
+    for (const ShellId s : k.shells()) n += k.region(s) != Complex::infinite_region();
+  } else {
+    n = what == "vertices" ? k.vertex_count()
+        : what == "edges"  ? k.edge_count()
+        : what == "faces"  ? k.face_count()
+                           : k.region_count() - 1;
+  }
+  return Value(static_cast<std::int64_t>(n));
+}
+
 Result<Value> count_of(Call& call) {
   const std::string& what = call.string("what");
   const bool of_meshes = what == "nodes" || what == "elements";
@@ -103,6 +122,7 @@ Result<Value> count_of(Call& call) {
     return Error{errors::command_type,
                  "count: " + what + " are counted in meshes, not in <" + call.shape("x")->describe() + ">"};
   if (of_meshes) return Value(static_cast<std::int64_t>(what == "nodes" ? m->mesh().nodes.size() : m->element_count()));
+  if (const auto* k = dynamic_cast<const ComplexShape*>(call.shape("x").get())) return count_in(k->complex(), what);
   ARESTA_TRY(const ModelShapePtr x, x_of(call));
   std::size_t n = 0;
   for (const Part& part : x->parts()) {
@@ -129,6 +149,9 @@ Result<Value> genus_of(Call& call) {
 }
 
 Result<Value> check_shape(Call& call) {
+  if (const auto* k = dynamic_cast<const ComplexShape*>(call.shape("x").get())) {
+    return Value(static_cast<std::int64_t>(check_structure(k->complex()).size()));
+  }
   ARESTA_TRY(const ModelShapePtr x, x_of(call));
   std::size_t n = 0;
   for (const Part& part : x->parts()) {
@@ -226,6 +249,7 @@ void register_modelling(Registry& registry) {
   register_access(registry);
   register_measures(registry);
   register_files(registry);
+  register_topology(registry);
 }
 
 }  // namespace aresta::document
