@@ -18,6 +18,7 @@ std::vector<StructuralFinding> check_structure(const Complex& complex, Structure
   if (findings.empty() && level == StructureLevel::full) {
     check_fans(complex, findings);
     if (findings.empty()) check_regions(complex, findings);
+    if (findings.empty()) check_voids(complex, findings);
   }
   std::sort(findings.begin(), findings.end());
   findings.erase(std::unique(findings.begin(), findings.end()), findings.end());

@@ -16,5 +16,6 @@ void check_cells(const ComplexRows& rows, Findings& findings);
 void check_shells(const Complex& k, Findings& findings);
 void check_fans(const Complex& k, Findings& findings);
 void check_regions(const Complex& k, Findings& findings);
+void check_voids(const Complex& k, Findings& findings);
 
 }  // namespace aresta::check_detail

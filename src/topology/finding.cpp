@@ -223,6 +223,9 @@ struct Describe {
   std::string operator()(const ShellApart& x) const {
     return sentence(x.shell, " is of a connected part that lies in ", x.region, " in another way already");
   }
+  std::string operator()(const SurfaceBoundsNothing& x) const {
+    return sentence("faces, ", x.face, " among them, make a closed surface that bounds no region");
+  }
 };
 
 }  // namespace

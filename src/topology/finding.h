@@ -345,6 +345,11 @@ struct ShellApart {
   ShellId shell;
   auto operator<=>(const ShellApart&) const = default;
 };
+/// Faces, this one among them, make a closed surface that bounds no region.
+struct SurfaceBoundsNothing {
+  FaceId face;
+  auto operator<=>(const SurfaceBoundsNothing&) const = default;
+};
 
 }  // namespace structure
 
@@ -363,7 +368,8 @@ using StructuralFinding = std::variant<
     structure::VertexTwiceInFace, structure::ShellEmpty, structure::ShellMixed, structure::InfiniteRegionMissing,
     structure::InfiniteRegionFilled, structure::RegionWithoutShell, structure::SectorInTwoRegions,
     structure::WireOutOfReach, structure::WiresInTwoRegions, structure::ShellDisconnected, structure::ShellsTouch,
-    structure::FansNotPlanar, structure::RegionUnreached, structure::RegionDivided, structure::ShellApart>;
+    structure::FansNotPlanar, structure::RegionUnreached, structure::RegionDivided, structure::ShellApart,
+    structure::SurfaceBoundsNothing>;
 
 /// One sentence for a person.
 std::string describe(const StructuralFinding& finding);

@@ -470,6 +470,13 @@ const BrokenSketch sketches[] = {
        add_polyhedron(s, tetrahedron(), {0, around}, 7);
      },
      {ShellApart{RegionId(2), ShellId(5)}}},
+    {"discs on both sides of a torus across the same circuit",
+     [](Sketch& s) {
+       add_polyhedron(s, torus(3), {0, s.add_region()});
+       s.add_polygon({0, 1, 2}, {0, 0});
+       s.add_polygon({0, 1, 2}, {1, 1});
+     },
+     {SurfaceBoundsNothing{FaceId(9)}}},
 };
 
 TEST(CheckStructure, FindsBrokenRows) {

@@ -78,31 +78,26 @@ bool may_be(const Complex& k, const ComplexBreaker::Word& word, std::uint32_t be
 
 /// Every number of every record of every model, changed to what it should not be.
 TEST(CheckStructure, FindsEverySingleWrongNumber) {
-  std::size_t changes = 0;
+  std::size_t changes = 0, models = 0;
   for (const CatalogueModel& model : catalogue()) {
-    for (const bool gaps : {false, true}) {
-      Complex sound = model.complex;
-      if (gaps) make_gaps(sound);
-      Complex k = sound;
-      const auto words = Break::words(k);
-      for (const auto& word : words) {
-        const std::uint32_t before = *word.value, flipped = before ^ 1u;
-        for (const std::uint32_t after : {0u, 1u, 2u, 3u, flipped, before + 1, before - 1, before ^ Break::tag,
-                                          1000000u, Break::tag, Break::tag + 1, Break::none, Break::dead}) {
-          if (after == before) continue;
-          *word.value = after;
-          ++changes;
-          const auto findings = check_structure(k);
-          if (findings.empty() && !may_be(sound, word, before, after)) {
-            ADD_FAILURE() << model.name << ": " << word.name << " of " << to_string(word.row.kind) << ' '
-                          << word.row.index << " changed from " << before << " to " << after;
-          }
-          for (const auto& finding : findings) EXPECT_FALSE(describe(finding).empty());
-          *word.value = before;
+    Complex sound = model.complex;
+    if (++models % 3 == 0) make_gaps(sound);
+    Complex k = sound;
+    for (const auto& word : Break::words(k)) {
+      const std::uint32_t before = *word.value, flipped = before ^ 1u;
+      for (const std::uint32_t after :
+           {0u, 3u, flipped, before + 1, before - 1, before ^ Break::tag, 1000000u, Break::none, Break::dead}) {
+        if (after == before) continue;
+        *word.value = after;
+        ++changes;
+        if (check_structure(k).empty() && !may_be(sound, word, before, after)) {
+          ADD_FAILURE() << model.name << ": " << word.name << " of " << to_string(word.row.kind) << ' '
+                        << word.row.index << " changed from " << before << " to " << after;
         }
+        *word.value = before;
       }
-      EXPECT_EQ(first_of(check_structure(k)), "no finding") << model.name;
     }
+    EXPECT_EQ(first_of(check_structure(k)), "no finding") << model.name;
   }
   EXPECT_GT(changes, 100000u);
 }
@@ -112,7 +107,7 @@ TEST(CheckStructure, EndsWhateverTheRecordsHold) {
   for (const CatalogueModel& model : catalogue()) {
     Complex sound = model.complex;
     make_gaps(sound);
-    for (int round = 0; round < 50; ++round) {
+    for (int round = 0; round < 20; ++round) {
       Complex k = sound;
       auto words = Break::words(k);
       const std::size_t spoilt = 1 + random() % words.size();
@@ -139,7 +134,7 @@ TEST(CheckStructure, EndsWhereLinksOfOneKindAreShuffled) {
     std::sort(kinds.begin(), kinds.end());
     kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
     for (const auto& kind : kinds) {
-      for (int round = 0; round < 5; ++round, ++rounds) {
+      for (int round = 0; round < 3; ++round, ++rounds) {
         Complex k = model.complex;
         std::vector<std::uint32_t*> places;
         for (const auto& word : Break::words(k)) {
