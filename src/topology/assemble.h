@@ -7,12 +7,9 @@
 
 #include "base/result.h"
 #include "topology/complex.h"
+#include "topology/errors.h"
 
 namespace aresta {
-
-namespace errors {  // topology: 300-399
-inline constexpr ErrorCode bad_incidence{300, "topology.incidence"};
-}  // namespace errors
 
 /// A complex as flat arrays. Entity i of an array becomes the entity with id i; radial_next and the regions are filled
 /// in by whoever knows the geometry. `none` marks what does not apply.

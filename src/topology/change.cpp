@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "topology/components.h"
 #include "topology/editor.h"
 
 namespace aresta {
@@ -49,7 +50,7 @@ class Maker {
 
   void make(WireChange& x) {
     x.edge = edit_.make_edge(x.edge);
-    const ShellId s = edit_.shell_at(x.start, x.region);
+    const ShellId s = shell_at(k_, x.start, x.region);
     unisolate(x.start, s);
     unisolate(x.end, s);
     edit_.attach({x.edge, 0}, x.start);
@@ -80,7 +81,7 @@ class Maker {
       loop.id = edit_.make_loop(loop.id);
       edit_.append_loop(x.face, loop.id);
       if (loop.coedges.empty()) {
-        if (!s.valid()) s = edit_.shell_at(loop.vertex, x.region);
+        if (!s.valid()) s = shell_at(k_, loop.vertex, x.region);
         unisolate(loop.vertex, s);
         edit_.set_vertex_loop(loop.id, loop.vertex);
         continue;
@@ -170,7 +171,7 @@ class Maker {
     x.new_face = edit_.make_face(x.new_face);
     edit_.append_loop(x.new_face, x.new_loop);
     const VertexId start = x.from.valid() ? k_.start(x.from) : x.vertex, end = x.to.valid() ? k_.start(x.to) : x.vertex;
-    use_edge(x.edge, start, end, x.ahead, x.back);
+    use_edge(x.edge, start, end, x.ahead, x.back, x.reversed);
     if (!x.from.valid()) {
       edit_.unset_vertex_loop(x.loop);
       edit_.insert_coedge(x.ahead, {}, x.loop);
@@ -237,8 +238,8 @@ class Maker {
     edit_.free(x.other);
   }
 
-  void back(const JoiningChange& x) {
-    const LoopId other = edit_.make_loop(x.other);
+  void back(JoiningChange& x) {
+    const LoopId other = x.other = edit_.make_loop(x.other);
     edit_.append_loop(k_.face(x.loop), other);
     const CoedgeId before_ahead = k_.prev(x.ahead), before_back = k_.prev(x.back);
     if (x.to.valid()) {
@@ -337,9 +338,9 @@ class Maker {
     edit_.attach({gone, 1}, x.flipped ? k_.start(x.kept) : k_.end(x.kept));
     move_uses(x.uses, gone, x.flipped, {});
     if (x.uses.empty()) {
-      edit_.put(Item(gone), edit_.shell_at(k_.start(gone), x.wire_region));
+      edit_.put(Item(gone), shell_at(k_, k_.start(gone), x.wire_region));
     } else if (!x.after.valid()) {
-      edit_.put(Item(x.kept), edit_.shell_at(k_.start(x.kept), x.wire_region));
+      edit_.put(Item(x.kept), shell_at(k_, k_.start(x.kept), x.wire_region));
     }
   }
 
@@ -379,7 +380,7 @@ class Maker {
 
   void back(const DigonChange& x) {
     const VertexId a = k_.start(x.kept), b = k_.end(x.kept);
-    const std::array shells{edit_.shell_at(a, x.front), edit_.shell_at(a, x.back)};
+    const std::array shells{shell_at(k_, a, x.front), shell_at(k_, a, x.back)};
     if (k_.is_wire(x.kept)) edit_.take(Item(x.kept));
     edit_.make_face(x.face);
     edit_.make_loop(x.loop);
@@ -460,11 +461,11 @@ class Maker {
     if (is_bare(k_, v)) edit_.put(Item(v), edit_.make_shell(r));
   }
 
-  void use_edge(EdgeId e, VertexId start, VertexId end, CoedgeId ahead, CoedgeId back) {
-    edit_.attach({e, 0}, start);
-    edit_.attach({e, 1}, end);
-    edit_.set_edge(ahead, e, false);
-    edit_.set_edge(back, e, true);
+  void use_edge(EdgeId e, VertexId start, VertexId end, CoedgeId ahead, CoedgeId back, bool reversed = false) {
+    edit_.attach({e, reversed ? 1 : 0}, start);
+    edit_.attach({e, reversed ? 0 : 1}, end);
+    edit_.set_edge(ahead, e, reversed);
+    edit_.set_edge(back, e, !reversed);
     edit_.insert_radially(ahead, {});
     edit_.insert_radially(back, ahead);
   }
@@ -504,11 +505,11 @@ class Maker {
 
   void divide(FaceUse a, FaceUse b, Division& d) {
     std::vector<FaceUse> part;
-    if (edit_.connected(a, b, d.side == 1, &part)) return;
+    if (d.extent == Division::Extent::nothing || sides_connected(k_, a, b, d.side == 1, &part)) return;
     std::vector<Item> items(part.begin(), part.end());
     for (const Item item : d.others) {
       if (item.kind == Item::Kind::side) {
-        const auto component = edit_.side_component(item.side());
+        const auto component = side_component(k_, item.side());
         items.insert(items.end(), component.begin(), component.end());
       } else {
         items.push_back(item);
@@ -516,8 +517,32 @@ class Maker {
     }
     std::sort(items.begin(), items.end());
     items.erase(std::unique(items.begin(), items.end()), items.end());
+    const RegionId old = region_of(k_, items.front());
     d.region = edit_.make_region(d.filled, d.region);
     edit_.move_to_region(items, d.region);
+    if (d.extent == Division::Extent::found) follow(items, old, d.side == 1 ? a : b, d.region);
+  }
+
+  /// A connected complex meets a region in one shell. So where items have left a shell that has fallen apart, all of it
+  /// but the part that `stays` is in goes with them.
+  void follow(std::vector<Item> items, RegionId old, FaceUse stays, RegionId region) {
+    while (!items.empty()) {
+      std::vector<VertexId> touched;
+      for (const Item item : items) for_each_vertex_of(k_, item, [&](VertexId v) { touched.push_back(v); });
+      std::sort(touched.begin(), touched.end());
+      touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+      for (const VertexId v : touched) edit_.unite_at(v);
+      items.clear();
+      for (const VertexId v : touched) {
+        const ShellId s = shell_at(k_, v, old);
+        if (!s.valid() || s == k_.shell(stays)) continue;
+        std::vector<Item> left;
+        for (const FaceUse u : k_.face_uses(s)) left.push_back(u);
+        for (const EdgeId e : k_.wires(s)) left.push_back(e);
+        edit_.move_to_region(left, region);
+        items.insert(items.end(), left.begin(), left.end());
+      }
+    }
   }
 
   /// Takes the edge of a contraction out of all loops, or out of its shell.
@@ -565,8 +590,8 @@ class Maker {
       edit_.insert_radially(use.id, use.after);
     }
     if (x.uses.empty()) {
-      ShellId s = edit_.shell_at(x.kept, x.wire_region);
-      if (!s.valid()) s = edit_.shell_at(x.gone, x.wire_region);
+      ShellId s = shell_at(k_, x.kept, x.wire_region);
+      if (!s.valid()) s = shell_at(k_, x.gone, x.wire_region);
       if (!s.valid()) s = edit_.make_shell(x.wire_region);
       edit_.put(Item(x.edge), s);
     }
@@ -578,12 +603,28 @@ class Maker {
 
 }  // namespace
 
-void make(Complex& k, Change& change) {
-  std::visit([&](auto& x) { Maker(k).make(x); }, change);
+namespace {
+
+void run(Complex& k, Change& change, bool forward) {
+  std::visit(
+      [&](auto& x) {
+        if (forward) {
+          Maker(k).make(x);
+        } else {
+          Maker(k).back(x);
+        }
+      },
+      change.what);
 }
 
-void take_back(Complex& k, const Change& change) {
-  std::visit([&](const auto& x) { Maker(k).back(x); }, change);
+}  // namespace
+
+void make(Complex& k, Change& change) {
+  run(k, change, !change.reversed);
+}
+
+void take_back(Complex& k, Change& change) {
+  run(k, change, change.reversed);
 }
 
 }  // namespace aresta

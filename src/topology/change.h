@@ -46,7 +46,13 @@ struct LoopPlacement {
 
 /// A region that a change divides off another one.
 struct Division {
+  enum class Extent {
+    found,  ///< what is no longer connected with what stays goes too: wires and parts that hang on the new region alone
+    exact,  ///< `others` is all that goes
+    nothing  ///< nothing is divided, even where sides are not connected (in complexes that do not fit into space)
+  };
   RegionId region;  ///< the new one; invalid: nothing is divided
+  Extent extent = Extent::found;
   bool filled = false;
   int side = 1;              ///< which of the two separated sides the new region gets
   std::vector<Item> others;  ///< what else of the old region goes to the new one; one side stands for its component
@@ -68,13 +74,14 @@ struct LoopPointChange {
 };
 
 /// An edge comes across a face between two corners of one loop, or at a loop that is a vertex, and divides the face.
-/// The coedge `ahead` (along the edge) closes the old loop, `back` begins the new face's.
+/// The coedge `ahead` runs between the corners and closes the old loop, `back` runs back and begins the new face's.
 struct AcrossChange {
   EdgeId edge;
+  bool reversed = false;  ///< `ahead` runs against the edge
   CoedgeId ahead, back;
   LoopId loop, new_loop;
   CoedgeId from,
-      to;           ///< the coedges that start at the corners where the edge starts and ends; invalid at a vertex loop
+      to;           ///< the coedges that start at the corners where `ahead` starts and ends; invalid at a vertex loop
   VertexId vertex;  ///< of a vertex loop
   FaceId face, new_face;
   std::vector<LoopId> moved;  ///< other loops that go to the new face
@@ -151,12 +158,18 @@ struct FaceMergeChange {
   std::vector<LoopPair> loops;
 };
 
-using Change = std::variant<PointChange, WireChange, FaceChange, LoopPointChange, AcrossChange, JoiningChange,
-                            VertexMergeChange, EdgeMergeChange, DigonChange, FaceMergeChange>;
+using AnyChange = std::variant<PointChange, WireChange, FaceChange, LoopPointChange, AcrossChange, JoiningChange,
+                               VertexMergeChange, EdgeMergeChange, DigonChange, FaceMergeChange>;
+
+/// A change and its direction: a reversed one is made by taking back what it describes.
+struct Change {
+  AnyChange what;
+  bool reversed = false;
+};
 
 /// Makes a change. Ids in it that are invalid are chosen and filled in.
 void make(Complex& k, Change& change);
 /// Takes a change back; the complex must be as the change left it, as far as the change reaches.
-void take_back(Complex& k, const Change& change);
+void take_back(Complex& k, Change& change);
 
 }  // namespace aresta

@@ -93,7 +93,10 @@ class Complex {
   VertexId end(EdgeId e) const { return VertexId(edges_[e.index()].vertex[1]); }
   VertexId vertex(EdgeEnd e) const { return VertexId(edges_[e.edge.index()].vertex[e.end]); }
   bool is_closed(EdgeId e) const { return start(e) == end(e); }
-  bool is_wire(EdgeId e) const { return (edges_[e.index()].first_use & tag) != 0; }
+  bool is_wire(EdgeId e) const {
+    const std::uint32_t use = edges_[e.index()].first_use;
+    return (use & tag) != 0 && use != none;
+  }
   /// The shell of a wire; invalid for an edge of a face.
   ShellId wire_shell(EdgeId e) const {
     return is_wire(e) ? ShellId(wires_[edges_[e.index()].first_use & ~tag].shell) : ShellId();
@@ -123,7 +126,10 @@ class Complex {
 
   // Loop.
   FaceId face(LoopId l) const { return FaceId(loops_[l.index()].face); }
-  bool is_vertex_loop(LoopId l) const { return (loops_[l.index()].first & tag) != 0; }
+  bool is_vertex_loop(LoopId l) const {
+    const std::uint32_t first = loops_[l.index()].first;
+    return (first & tag) != 0 && first != none;
+  }
   /// The vertex of a loop that is a single vertex; else invalid.
   VertexId loop_vertex(LoopId l) const {
     return is_vertex_loop(l) ? VertexId(loops_[l.index()].first & ~tag) : VertexId();
@@ -192,6 +198,8 @@ class Complex {
   friend Complex assemble_unchecked(const Incidence& incidence);
   friend class Editor;  // what operators change the records with (editor.h)
   friend struct ComplexDifference;
+  friend struct ComplexRows;     // reads the records as they are (rows_detail.h)
+  friend struct ComplexBreaker;  // breaks them, in tests of the checker
 
   static constexpr std::uint32_t none = 0xffffffffu;
   static constexpr std::uint32_t dead = 0xfffffffeu;

@@ -2,8 +2,9 @@
 #include "topology/editor.h"
 
 #include <algorithm>
-#include <deque>
-#include <unordered_map>
+
+#include "topology/components.h"
+#include "topology/floods.h"
 
 namespace aresta {
 
@@ -363,15 +364,6 @@ bool Editor::is_empty(ShellId s) const {
 
 // --- shells
 
-ShellId Editor::shell_at(VertexId v, RegionId r) const {
-  ShellId found;
-  for_each_item_at(k_, v, [&](Item item) {
-    const ShellId s = shell_of(k_, item);
-    if (!found.valid() && s.valid() && k_.region(s) == r) found = s;
-  });
-  return found;
-}
-
 /// Orders two shells so that a is not the larger one; counts both only as far as the smaller goes.
 void Editor::smaller_first(ShellId& a, ShellId& b) const {
   const auto next = [this](std::uint32_t use) { return k_.faces_[use / 2].next_in_shell[use % 2]; };
@@ -428,78 +420,7 @@ void Editor::unite_at(VertexId v) {
 
 namespace {
 
-/// Grows several sets of nodes in turn until all but one are complete or have met.
-/// Node: a vertex or an item of one region, as a number; neighbours are visited by `expand`.
-class Floods {
- public:
-  using Node = std::uint64_t;
-
-  std::size_t add_seed(Node node) {
-    const auto [at, fresh] = owner_.emplace(node, groups_.size());
-    if (!fresh) return at->second;
-    groups_.push_back({{node}, {node}, groups_.size()});
-    return groups_.size() - 1;
-  }
-
-  std::size_t find(std::size_t g) {
-    while (groups_[g].parent != g) g = groups_[g].parent = groups_[groups_[g].parent].parent;
-    return g;
-  }
-
-  /// Returns when at most one group has work left.
-  template <class Expand>
-  void run(Expand&& expand) {
-    std::vector<std::size_t> active;
-    for (std::size_t g = 0; g < groups_.size(); ++g) active.push_back(g);
-    const auto is_done = [&](std::size_t g) { return groups_[g].parent != g || groups_[g].queue.empty(); };
-    for (;;) {
-      std::erase_if(active, is_done);
-      if (active.size() <= 1) return;
-      for (const std::size_t g : active) {
-        if (is_done(g)) continue;
-        const Node node = groups_[g].queue.front();
-        groups_[g].queue.pop_front();
-        expand(node, [&](Node beside) { reach(g, beside); });
-      }
-    }
-  }
-
-  bool is_root(std::size_t g) const { return groups_[g].parent == g; }
-  bool is_complete(std::size_t g) const { return groups_[g].queue.empty(); }
-  std::size_t count() const { return groups_.size(); }
-  const std::vector<Node>& members(std::size_t g) const { return groups_[g].members; }
-
- private:
-  struct Group {
-    std::deque<Node> queue;
-    std::vector<Node> members;
-    std::size_t parent;
-  };
-
-  void reach(std::size_t from, Node node) {
-    const std::size_t g = find(from);
-    const auto [at, fresh] = owner_.emplace(node, g);
-    if (fresh) {
-      groups_[g].queue.push_back(node);
-      groups_[g].members.push_back(node);
-      return;
-    }
-    const std::size_t other = find(at->second);
-    if (other == g) return;
-    // The set with fewer members joins the other.
-    const bool into_other = groups_[other].members.size() >= groups_[g].members.size();
-    Group& to = groups_[into_other ? other : g];
-    Group& gone = groups_[into_other ? g : other];
-    to.queue.insert(to.queue.end(), gone.queue.begin(), gone.queue.end());
-    to.members.insert(to.members.end(), gone.members.begin(), gone.members.end());
-    gone.parent = into_other ? other : g;
-    gone.queue.clear();
-    gone.members.clear();
-  }
-
-  std::vector<Group> groups_;
-  std::unordered_map<Node, std::size_t> owner_;
-};
+using detail::Floods;
 
 constexpr Floods::Node vertex_node = Floods::Node{3} << 32;  // kinds 0 to 2 are items
 
@@ -521,7 +442,7 @@ Item item_of(Floods::Node node) {
 void Editor::separate(RegionId r, std::span<const VertexId> seeds) {
   Floods floods;
   for (const VertexId v : seeds) {
-    if (k_.is_live(v) && shell_at(v, r).valid()) floods.add_seed(node_of(v));
+    if (k_.is_live(v) && shell_at(k_, v, r).valid()) floods.add_seed(node_of(v));
   }
   floods.run([&](Floods::Node node, auto&& reach) {
     if ((node >> 32) == 3) {
@@ -560,40 +481,6 @@ void Editor::tidy(ShellId s, std::span<const VertexId> seeds) {
   separate(r, seeds);
 }
 
-bool Editor::connected(FaceUse a, FaceUse b, bool want_b, std::vector<FaceUse>* part) const {
-  if (a == b) return true;
-  Floods floods;
-  floods.add_seed(a.index());
-  floods.add_seed(b.index());
-  const auto expand = [&](Floods::Node node, auto&& reach) {
-    for_each_side_beside(k_, FaceUse::from_index(node), [&](FaceUse u) { reach(u.index()); });
-  };
-  floods.run(expand);
-  if (floods.find(0) == floods.find(1)) return true;
-  if (part != nullptr) {
-    const std::size_t wanted = want_b ? 1 : 0;
-    if (floods.is_complete(wanted)) {
-      for (const Floods::Node node : floods.members(wanted)) part->push_back(FaceUse::from_index(node));
-    } else {
-      *part = side_component(want_b ? b : a);
-    }
-    std::sort(part->begin(), part->end());
-  }
-  return false;
-}
-
-std::vector<FaceUse> Editor::side_component(FaceUse u) const {
-  std::vector<FaceUse> members{u};
-  std::unordered_map<std::size_t, bool> seen{{u.index(), true}};
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    for_each_side_beside(k_, members[i], [&](FaceUse beside) {
-      if (seen.emplace(beside.index(), true).second) members.push_back(beside);
-    });
-  }
-  std::sort(members.begin(), members.end());
-  return members;
-}
-
 // --- regions
 
 void Editor::move_to_region(std::span<const Item> items, RegionId to) {
@@ -627,7 +514,7 @@ void Editor::move_to_region(std::span<const Item> items, RegionId to) {
   // A shell that lost items may fall apart; its parts can be told at the vertices that it shared with them.
   std::vector<std::pair<ShellId, VertexId>> shared;
   for (const VertexId v : touched) {
-    if (const ShellId s = shell_at(v, from); s.valid()) shared.emplace_back(s, v);
+    if (const ShellId s = shell_at(k_, v, from); s.valid()) shared.emplace_back(s, v);
   }
   std::sort(shared.begin(), shared.end());
   for (std::size_t i = 0; i < shared.size();) {

@@ -68,19 +68,12 @@ class Editor {
   bool is_empty(ShellId s) const;
 
   // Shells and regions.
-  /// Some shell at the vertex in the region; invalid when the vertex does not touch the region.
-  ShellId shell_at(VertexId v, RegionId r) const;
   /// Joins shells of one region that meet at the vertex.
   void unite_at(VertexId v);
   /// Splits the shell that holds items of `r` at the seeds, where these are no longer connected.
   void separate(RegionId r, std::span<const VertexId> seeds);
   /// Drops the shell when nothing is in it, else separates it.
   void tidy(ShellId s, std::span<const VertexId> seeds);
-  /// Are these two sides of one region still connected through sectors? If not: the sides of the part of `a` or of `b`,
-  /// whichever `want_b` says.
-  bool connected(FaceUse a, FaceUse b, bool want_b, std::vector<FaceUse>* part) const;
-  /// All sides connected with u through sectors.
-  std::vector<FaceUse> side_component(FaceUse u) const;
   /// Moves items to another region; they must be whole components of sides, wires and points.
   void move_to_region(std::span<const Item> items, RegionId to);
   /// Everything in `from` goes to `to`; `from` is killed.

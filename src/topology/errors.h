@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// topology: 300-399
+#pragma once
+
+#include "base/result.h"
+
+namespace aresta::errors {
+
+inline constexpr ErrorCode bad_incidence{300, "topology.incidence"};
+inline constexpr ErrorCode unknown_part{301, "topology.unknown_entity"};  ///< names something that does not exist
+inline constexpr ErrorCode not_in_region{302, "topology.not_in_region"};  ///< does not touch the region
+inline constexpr ErrorCode ambiguous_place{303, "topology.ambiguous"};    ///< several places are possible: name one
+inline constexpr ErrorCode open_circuit{304, "topology.open_circuit"};    ///< edges that do not close
+inline constexpr ErrorCode wrong_place{305, "topology.wrong_place"};      ///< not in this loop, face or cycle
+inline constexpr ErrorCode in_use{306, "topology.in_use"};                ///< something still hangs on it
+inline constexpr ErrorCode would_pinch{307, "topology.would_pinch"};      ///< the result would not enclose what it did
+inline constexpr ErrorCode senses_disagree{308, "topology.senses_disagree"};  ///< orientations do not fit
+inline constexpr ErrorCode cuts_wire{309, "topology.cuts_wire"};              ///< a wire would pass through a face
+
+inline constexpr ErrorCode no_space{320, "topology.no_space"};  ///< cannot be laid out in space
+
+}  // namespace aresta::errors
