@@ -264,7 +264,7 @@ class Sweeper {
     const bool one_line = k_.face_count() == 0 && k_.edge_count() == 1 && source_.is_straight(EdgeId(0));
     const bool points_only = k_.edge_count() == 0 && k_.vertex_count() == 1;
     if (one_face || one_line || points_only) return {};
-    const Status valid = require_valid(model, CheckLevel::full, context);
+    Status valid = require_valid(model, CheckLevel::full, context);
     if (valid.ok() || valid.error().code.failure == Failure::cancelled) return valid;
     return Error{errors::sweep_overlaps,
                  motion_.name() + ": the sweep runs into itself: " + valid.error().message,

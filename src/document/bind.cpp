@@ -184,11 +184,7 @@ Result<std::vector<Value>> bind(const Command& command, Arguments arguments) {
 
   std::size_t next = 0;
   std::size_t places = 0;
-  bool variadic = false;
-  for (const Parameter& p : parameters) {
-    places += !p.variadic && !p.keyword_only;
-    variadic |= p.variadic;
-  }
+  for (const Parameter& p : parameters) places += !p.variadic && !p.keyword_only;
   for (std::size_t i = 0; i < parameters.size() && next < arguments.positional.size(); ++i) {
     const Parameter& p = parameters[i];
     if (p.keyword_only) continue;

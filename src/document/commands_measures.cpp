@@ -26,7 +26,7 @@ Result<Moments> moments_of(const Model& model, EntityRef e) {
   switch (e.kind) {
     case EntityKind::vertex: {
       const Vec3 p = model.point(VertexId(e.index));
-      return Moments{1, p, {p.x * p.x, p.y * p.y, p.z * p.z, p.x * p.y, p.y * p.z, p.z * p.x}, 0};
+      return Moments{1, p, {p.x * p.x, p.y * p.y, p.z * p.z, p.x * p.y, p.y * p.z, p.z * p.x}};
     }
     case EntityKind::edge:
       return measure(model, EdgeId(e.index));

@@ -243,7 +243,7 @@ const char* kind_name(const Value& value) {
 }
 
 std::string given_text(const Value& value) {
-  const std::string text = repr(value, Digits::shortest, 60);
+  std::string text = repr(value, Digits::shortest, 60);
   if (value.is(Value::Kind::shape) || value.is(Value::Kind::command)) return text;
   return text + ", " + kind_name(value);
 }

@@ -18,8 +18,8 @@ std::vector<DrawnLine> lines_of(const Scene& scene, const TriangleSoup& soup, co
   std::vector<DrawnLine> lines;
   for (const EdgeLine& edge : scene.edges) {
     if (edge.smooth) continue;
-    lines.push_back(
-        {edge.faces.empty() ? LineKind::wire : LineKind::feature, edge.edge, FaceId{}, edge.color, edge.points});
+    lines.push_back({edge.faces.empty() ? LineKind::wire : LineKind::feature, edge.edge, FaceId{}, edge.color,
+                     edge.points, edge.faces});
   }
   if (with_silhouettes) {
     for (DrawnLine& line : silhouettes(scene, soup, projector)) lines.push_back(std::move(line));

@@ -58,6 +58,7 @@ struct DrawnLine {
   FaceId face;  ///< of a silhouette: the face it outlines; else invalid
   Color color{20, 20, 20, 255};
   std::vector<Vec3> points;
+  std::vector<FaceId> faces;  ///< that it bounds or outlines
 };
 
 /// A part of one segment of a line, wholly visible or wholly hidden.

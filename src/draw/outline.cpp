@@ -70,7 +70,11 @@ void chain(const Scene& scene, const PointNumbers& numbers, const Fold* first, c
     DrawnLine line;
     line.kind = LineKind::silhouette;
     line.face = scene.faces[first->patch].face;
-    if (first->edge != none) line.edge = scene.edges[first->edge].edge;
+    line.faces = {line.face};
+    if (first->edge != none) {
+      line.edge = scene.edges[first->edge].edge;
+      line.faces = scene.edges[first->edge].faces;
+    }
     line.points.push_back(numbers.place(start));
     for (std::uint32_t at = start;;) {
       const auto [from, to] = range(at);

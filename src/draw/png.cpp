@@ -14,6 +14,9 @@
 namespace aresta::draw {
 namespace {
 
+/// Pixels of depth that a line may lie behind the faces that it bounds, and behind others, and still be seen.
+constexpr double own_bias = 2, other_bias = 0.25;
+
 /// Which triangles and lines touch each band of rows.
 struct Bins {
   std::vector<std::vector<std::uint32_t>> triangles, lines;
@@ -40,6 +43,7 @@ class Renderer {
   Renderer(const View& view, const RenderOptions& options, const std::vector<DrawnLine>& lines)
       : view_(view),
         options_(options),
+        lines_(lines),
         projector_(view.camera, view.viewport),
         shader_(view, projector_, options.shading, options.coloring),
         width_(view.viewport.width),
@@ -116,8 +120,16 @@ class Renderer {
     return int(std::ceil(std::min(radius, 250.0 * samples_))) + 4;
   }
 
-  double bias(const ScreenLine& line) const {
-    return 2 * projector_.pixel_size(std::min(line.a.z, line.b.z)) + 1e-6 * diagonal_;
+  double bias(const ScreenLine& line, double pixels) const {
+    return pixels * projector_.pixel_size(std::min(line.a.z, line.b.z)) + 1e-6 * diagonal_;
+  }
+  RasterBand::Bias biases(const ScreenLine& line) const {
+    const auto is_own = [this, source = line.source](std::uint32_t triangle) {
+      if (source == ScreenLine::no_source) return false;
+      const std::vector<FaceId>& own = lines_[source].faces;
+      return std::find(own.begin(), own.end(), view_.scene.faces[screen_.triangles[triangle].patch].face) != own.end();
+    };
+    return {bias(line, own_bias), bias(line, other_bias), is_own};
   }
 
   void draw_band(int band, const Bins& bins) {
@@ -129,7 +141,7 @@ class Renderer {
       const ScreenTriangle& t = screen_.triangles[i];
       if (opaque_[t.patch]) raster.add_opaque(t, i);
     }
-    for (const std::uint32_t i : bins.lines[band]) raster.add_line(screen_.lines[i], i, bias(screen_.lines[i]));
+    for (const std::uint32_t i : bins.lines[band]) raster.add_line(screen_.lines[i], i, biases(screen_.lines[i]));
     if (!all_opaque_) {
       for (const std::uint32_t i : bins.triangles[band]) {
         const ScreenTriangle& t = screen_.triangles[i];
@@ -184,7 +196,8 @@ class Renderer {
           float a = options_.background.a / 255.0f;
           double depth = std::numeric_limits<double>::infinity();
           if (line != RasterBand::nothing) {
-            color = to_rgb(screen_.lines[line].color), a = 1, depth = raster.line_depth(s) - bias(screen_.lines[line]);
+            color = to_rgb(screen_.lines[line].color), a = 1,
+            depth = raster.line_depth(s) - bias(screen_.lines[line], own_bias);
           } else if (triangle != RasterBand::nothing) {
             color = cached_shade(shades, triangle, {sx + 0.5, sy + 0.5}, raster.depth(s)).color, a = 1,
             depth = raster.depth(s);
@@ -253,6 +266,7 @@ class Renderer {
 
   const View& view_;
   const RenderOptions& options_;
+  const std::vector<DrawnLine>& lines_;
   Projector projector_;
   Shader shader_;
   int width_, height_, samples_;

@@ -4,10 +4,11 @@
 // Contract. Triangles are sampled on a regular grid of supersampling^2 points a pixel into a depth buffer; the nearest
 // wins, and of several within 1e-7 of the scene's diagonal the one that comes first in the scene, so that faces that
 // coincide do not flicker. Faces are two-sided. Edges are round-ended strokes; whether a place of an edge is seen is
-// decided once, at its middle line, against the depth buffer with a bias of two pixels, so that strokes have an even
-// width. Light comes from over the viewer's left shoulder; corners are darkened by what stands around them (obscurance
-// in screen space). Transparent faces are blended back to front at every sample, exactly. The picture is made in bands
-// of rows, which bounds memory whatever its size. Complexity: linear in triangles and in samples covered.
+// decided once, at its middle line, against the depth buffer, so that strokes have an even width. What lies behind a
+// face by less than a quarter of a pixel is taken as seen, and by less than two behind a face that it bounds. Light
+// comes from over the viewer's left shoulder; corners are darkened by what stands around them (obscurance in screen
+// space). Transparent faces are blended back to front at every sample, exactly. The picture is made in bands of rows,
+// which bounds memory whatever its size. Complexity: linear in triangles and in samples covered.
 //
 // Papers: J. Pineda, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; L. Carpenter, The A-buffer,
 // SIGGRAPH 1984; M. McGuire, B. Osman, M. Bukowski, P. Hennessy, The Alchemy Screen-Space Ambient Obscurance Algorithm,

@@ -116,11 +116,13 @@ void RasterBand::sort_layers() {
   }
 }
 
-bool RasterBand::line_is_seen(double x, double y, double depth) const {
+bool RasterBand::line_is_seen(double x, double y, double depth, const Bias& bias) const {
   const int cx = int(std::floor(x)), cy = int(std::floor(y));
   for (int yy = std::max(cy - 1, first_); yy <= std::min(cy + 1, first_ + rows_ - 1); ++yy) {
     for (int xx = std::max(cx - 1, 0); xx <= std::min(cx + 1, width_ - 1); ++xx) {
-      if (depth <= depth_[at(xx, yy)]) return true;
+      const std::size_t sample = at(xx, yy);
+      if (depth - bias.other <= depth_[sample]) return true;
+      if (depth - bias.own <= depth_[sample] && bias.is_own(triangle_[sample])) return true;
     }
   }
   return false;
@@ -131,7 +133,7 @@ double RasterBand::depth_along(const ScreenLine& line, double t) const {
   return 1 / ((1 - t) / line.a.z + t / line.b.z);
 }
 
-void RasterBand::add_line(const ScreenLine& line, std::uint32_t index, double bias) {
+void RasterBand::add_line(const ScreenLine& line, std::uint32_t index, const Bias& bias) {
   const double dx = line.b.x - line.a.x, dy = line.b.y - line.a.y;
   const double length = std::hypot(dx, dy);
   const int steps = int(std::min(1e6, std::ceil(2 * length))) + 1;  // the same places whatever the band
@@ -154,7 +156,7 @@ void RasterBand::add_line(const ScreenLine& line, std::uint32_t index, double bi
   double run = -1;
   for (int i = int(std::floor(from * steps)); i <= last; ++i) {
     const double t = double(i) / steps;
-    const bool seen = line_is_seen(line.a.x + t * dx, line.a.y + t * dy, depth_along(line, t) - bias);
+    const bool seen = line_is_seen(line.a.x + t * dx, line.a.y + t * dy, depth_along(line, t), bias);
     if (seen && run < 0) run = t;
     if (run >= 0 && (!seen || i == last)) {
       stroke(line, index, run, seen ? t : double(i - 1) / steps);

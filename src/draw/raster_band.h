@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,8 +24,14 @@ class RasterBand {
   /// Keeps every layer; call sort_layers() when all are in.
   void add_transparent(const ScreenTriangle& t, std::uint32_t index);
   void sort_layers();
-  /// A stroke where its middle line is not farther than the faces by more than `bias`; after all opaque triangles.
-  void add_line(const ScreenLine& line, std::uint32_t index, double bias);
+  /// How far a line may lie behind what covers it and still be seen: rounding and the slope of the covering face
+  /// between samples. Only a face that the line bounds may be steep there.
+  struct Bias {
+    double own = 0, other = 0;
+    std::function<bool(std::uint32_t triangle)> is_own;
+  };
+  /// A stroke where its middle line is seen; after all opaque triangles.
+  void add_line(const ScreenLine& line, std::uint32_t index, const Bias& bias);
 
   struct Layer {
     float depth;
@@ -47,7 +54,7 @@ class RasterBand {
  private:
   template <class Visit>
   void scan(const ScreenTriangle& t, const Visit& visit) const;
-  bool line_is_seen(double x, double y, double depth) const;
+  bool line_is_seen(double x, double y, double depth, const Bias& bias) const;
   void stroke(const ScreenLine& line, std::uint32_t index, double from, double to);
   double depth_along(const ScreenLine& line, double t) const;
 

@@ -22,6 +22,8 @@ struct ScreenLine {
   Vec3 a, b;  ///< sample x, sample y, depth
   double radius = 0;
   Color color;
+  static constexpr std::uint32_t no_source = 0xffffffffu;
+  std::uint32_t source = no_source;  ///< among the lines that were projected; none for a mark
 };
 
 struct ScreenScene {

@@ -83,7 +83,9 @@ const projection = () => {
   return [1 / (slope * aspect), 0, 0, 0, 0, 1 / slope, 0, 0, 0, 0, -(f + n) / (f - n), -1, 0, 0, ((f + n) * d - 2 * f * n) / (f - n), d];
 };
 
+let fitted = false;  // nothing was moved by hand since
 const fit = () => {
+  fitted = true;
   const {right, up, back} = axes(), seen = [];
   const take = (array, [first, count], way) => {
     for (let v = 3 * first; v < 3 * (first + count); v += 3) {
@@ -603,7 +605,7 @@ if (regions.length) {
 for (const name of ['fit', ...Object.keys(views)]) {
   make(element('views'), 'button', name).addEventListener('click', () => name === 'fit' ? (fit(), draw()) : look(name));
 }
-element('explode').addEventListener('input', e => { state.explode = +e.target.value; draw(); });
+element('explode').addEventListener('input', e => { fitted = false; state.explode = +e.target.value; draw(); });
 for (const [id, key] of [['glass', 'glass'], ['lines', 'lines'], ['deep', 'deep']]) {
   element(id).addEventListener('change', e => { state[key] = e.target.checked; draw(); });
 }
@@ -623,6 +625,7 @@ canvas.addEventListener('pointerdown', e => {
 });
 const zoom = (factor, x, y) => {
   const [w, h] = size(), {right, up} = axes(), before = state.height;
+  fitted = false;
   state.height = Math.min(Math.max(before * factor, 1e-6 * scene.size), 100 * scene.size);
   const change = (before - state.height) / h;  // what is under the pointer stays there
   state.target = add(add(state.target, (x - w / 2) * change, right), (h / 2 - y) * change, up);
@@ -631,6 +634,7 @@ const zoom = (factor, x, y) => {
 canvas.addEventListener('pointermove', e => {
   const hand = hands.get(e.pointerId);
   if (!hand) return;
+  fitted = false;
   const dx = e.clientX - hand.x, dy = e.clientY - hand.y;
   moved += Math.abs(dx) + Math.abs(dy);
   const {right, up} = axes(), pixel = state.height / size()[1];
@@ -663,14 +667,14 @@ canvas.addEventListener('pointercancel', release);
 canvas.addEventListener('wheel', e => { e.preventDefault(); zoom(Math.exp(Math.max(-60, Math.min(60, e.deltaY)) * 0.004), e.clientX, e.clientY); }, {passive: false});
 canvas.addEventListener('keydown', e => {
   const step = {ArrowLeft: [-15, 0], ArrowRight: [15, 0], ArrowUp: [0, 15], ArrowDown: [0, -15]}[e.key];
-  if (step) state.yaw += step[0], state.pitch = Math.max(-90, Math.min(90, state.pitch + step[1]));
+  if (step) fitted = false, state.yaw += step[0], state.pitch = Math.max(-90, Math.min(90, state.pitch + step[1]));
   else if (e.key === 'f') fit();
   else if (e.key === 'Escape') choose(-1, -1);
   else return;
   e.preventDefault();
   draw();
 });
-window.addEventListener('resize', draw);
+window.addEventListener('resize', () => { if (fitted) fit(); draw(); });
 
 // ---------------------------------------------------------------- first picture
 

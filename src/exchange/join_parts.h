@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts of an imported model that touch or overlap without sharing anything are imprinted on each other.
 //
-// Many files hold an assembly as separate solids whose faces coincide. As a model for analysis they must share them.
-// When the checker finds entities that meet without being shared, every region becomes a part of its own, with all that
-// lies in it; what belongs to no region is one more part; and the fragment of the parts is the model. Names, attributes
+// Many files hold an assembly as separate solids whose faces coincide, or wires that lie on a solid's edges. As a model
+// for analysis they must share them. When the checker finds entities that meet without being shared, the fragment of
+// the model (which imprints its regions, and what belongs to none, on each other) takes its place. Names, attributes
 // and groups follow. Overlapping parts give one region for the overlap. The fragment's own conservation checks hold
 // here too.
 #pragma once

@@ -55,7 +55,7 @@ class Words {
       fail("expected a name in quotation marks");
       return {};
     }
-    const std::string name = text_.substr(at_ + 1, end - at_ - 1);
+    std::string name = text_.substr(at_ + 1, end - at_ - 1);
     at_ = end + 1;
     return name;
   }

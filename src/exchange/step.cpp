@@ -19,6 +19,7 @@
 #include "exchange/shape_import.h"
 #include "exchange/step/step_module.h"
 #include "fragment/fragment.h"
+#include "fragment/identity.h"
 #include "model/inherit.h"
 #include "occt/model_shape.h"
 #include "occt/shape_data.h"
@@ -50,7 +51,7 @@ std::optional<Counts> recorded_counts(const std::string& data) {
 
 Status require_whole(const std::string& data) {
   const std::size_t head = data.find("ISO-10303-21");
-  if (head == std::string::npos || head > 4096) {
+  if (head > 4096) {  // npos as well
     return Error{errors::bad_content, "this is not a STEP file: it does not begin with ISO-10303-21"};
   }
   if (data.find("END-ISO-10303-21", head) == std::string::npos) {
@@ -75,19 +76,24 @@ Result<std::optional<Model>> share(const StepContents& contents, const Counts& r
     ARESTA_TRY(Model part, import_shape(wrap(in_whole.Value()), labelled, options, report, context));
     parts.push_back(std::make_shared<const Model>(std::move(part)));
   }
-  FragmentOptions plain;
-  plain.detect_regions = false;
-  Result<Fragment> joined = fragment(std::move(parts), plain, context);
-  if (!joined.ok()) {
-    if (joined.error().code == errors::cancelled) return std::move(joined).error();
-    return std::optional<Model>();
+  // What the parts share they mostly have as wholes; intersecting is asked for only where that is not all.
+  for (const FragmentEngine* engine : {&identity_engine(), &occt_engine()}) {
+    FragmentOptions plain;
+    plain.engine = engine;
+    plain.detect_regions = false;
+    Result<Fragment> joined = fragment(parts, plain, context);
+    if (!joined.ok()) {
+      if (joined.error().code == errors::cancelled) return std::move(joined).error();
+      continue;
+    }
+    if (counts_of(*joined->model) != recorded) continue;
+    Model model = *joined->model;
+    inherit_labels(model);
+    model.provenance = nullptr;
+    model.length_unit = options.length_unit;
+    return std::optional<Model>(std::move(model));
   }
-  if (counts_of(*joined->model) != recorded) return std::optional<Model>();
-  Model model = *joined->model;
-  inherit_labels(model);
-  model.provenance = nullptr;
-  model.length_unit = options.length_unit;
-  return std::optional<Model>(std::move(model));
+  return std::optional<Model>();
 }
 
 }  // namespace
@@ -97,7 +103,9 @@ Result<Model> read_step(const ReadArguments& in) {
   ARESTA_TRY(void* function, module_function("step", "aresta_step_read"));
   const auto read = reinterpret_cast<StepReadFunction>(function);
   const std::optional<Counts> recorded = recorded_counts(in.data);
-  ARESTA_TRY(const StepContents contents, read(in.data, recorded.has_value(), in.options.length_unit, in.context));
+  Result<StepContents> outcome = StepContents();
+  read(in.data, recorded.has_value(), in.options.length_unit, in.context, &outcome);
+  ARESTA_TRY(const StepContents contents, std::move(outcome));
   in.report.file_unit = contents.file_unit;
   in.report.notes.insert(in.report.notes.end(), contents.notes.begin(), contents.notes.end());
   const bool has_vertices = !contents.whole.null() && contents.whole.counts().vertices > 0;
@@ -242,7 +250,9 @@ Result<std::string> write_step(const Model& model, const ExportOptions&, const C
   const StepParts parts = PartMaker(model, shape.data()).run();
   if (parts.parts.empty()) return Error{errors::export_failed, "the model is empty: there is nothing to write to STEP"};
   ARESTA_TRY(void* function, module_function("step", "aresta_step_write"));
-  return reinterpret_cast<StepWriteFunction>(function)(parts, context);
+  Result<std::string> text = std::string();
+  reinterpret_cast<StepWriteFunction>(function)(parts, context, &text);
+  return text;
 }
 
 }  // namespace aresta

@@ -24,12 +24,13 @@ class FragmentEngine {
  public:
   virtual ~FragmentEngine() = default;
   virtual const char* name() const = 0;
-  /// At least two operands. `tolerance` is absolute; 0 asks for the operands' own.
+  /// `tolerance` is absolute; 0 asks for the operands' own. Components of one operand are imprinted on each other, too.
   virtual Result<Imprint> imprint(std::span<const std::shared_ptr<const Model>> operands, double tolerance,
                                   const Context& context) const = 0;
 };
 
-/// The general fuse of OCCT: any mix of dimensions, plane or curved.
+/// What coincides as a whole made one (identity.h), the rest intersected by the general fuse of OCCT: any mix of
+/// dimensions, plane or curved.
 const FragmentEngine& occt_engine();
 
 }  // namespace aresta

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "base/union_find.h"
+#include "fragment/identity.h"
+#include "fragment/parts.h"
 #include "model/copy.h"
 #include "model/inherit.h"
 #include "model/measure.h"
@@ -259,7 +261,7 @@ Status check_conservation(const Fragment& result, const Context& context) {
   return {};
 }
 
-/// One operand needs no imprint: it is its own fragment.
+/// One operand whose parts share what they meet in needs no imprint: it is its own fragment.
 Result<Imprint> copy_of(const Model& model) {
   Imprint copy{to_builder(model), {}, {}, {}};
   for (const VertexId v : model.topology().vertices()) copy.vertex_parents.push_back({{0, v}});
@@ -286,40 +288,181 @@ std::shared_ptr<const Provenance> make_provenance(const Fragment& result, const 
   return provenance;
 }
 
+/// The fragment of a model's parts as one of the model itself.
+class Regrouping {
+ public:
+  Regrouping(const Fragment& of_parts, const std::vector<ModelPart>& parts, std::shared_ptr<const Model> whole)
+      : of_parts_(of_parts), parts_(parts), whole_(std::move(whole)) {}
+
+  Fragment run() {
+    const Complex& k = of_parts_.model->topology();
+    result_.operands = {whole_};
+    auto provenance = std::make_shared<Provenance>();
+    provenance->sources = result_.operands;
+    std::vector<std::vector<Parent>> vertices, edges, faces;
+    for (const VertexId v : k.vertices()) vertices.push_back(translated(v));
+    for (const EdgeId e : k.edges()) edges.push_back(translated(e));
+    for (const FaceId f : k.faces()) faces.push_back(translated(f));
+    for (const VertexId v : k.vertices()) provenance->parents[v] = vertices[v.index()];
+    for (const EdgeId e : k.edges()) provenance->parents[e] = edges[e.index()];
+    for (const FaceId f : k.faces()) {
+      provenance->parents[f] = faces[f.index()];
+      result_.same_sense.push_back(senses(f, faces[f.index()]));
+    }
+    auto& region_of = result_.region_of.emplace_back();
+    for (const RegionId c : k.regions()) {
+      region_of.push_back(region_around(c));
+      if (const auto parents = translated(c); !parents.empty()) provenance->parents[c] = parents;
+    }
+    fill_piece_table(result_, {&vertices, &edges, &faces});
+    Model model = *of_parts_.model;
+    model.provenance = std::move(provenance);
+    result_.conflicts = inherit_labels(model);
+    result_.model = std::make_shared<const Model>(std::move(model));
+    return std::move(result_);
+  }
+
+ private:
+  Parent translated(const Parent& p) const {
+    const ExtractionMap& from = parts_[p.source].from;
+    switch (p.entity.kind) {
+      case EntityKind::vertex:
+        return {0, from.vertices[p.entity.index]};
+      case EntityKind::edge:
+        return {0, from.edges[p.entity.index]};
+      case EntityKind::face:
+        return {0, from.faces[p.entity.index]};
+      default:
+        return {0, from.regions[p.entity.index].front()};
+    }
+  }
+
+  std::vector<Parent> translated(EntityRef entity) const {
+    std::vector<Parent> result;
+    for (const Parent& p : of_parts_.parents(entity)) result.push_back(translated(p));
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  /// Per parent that is a face, as the parts knew it.
+  std::vector<bool> senses(FaceId f, const std::vector<Parent>& parents) const {
+    std::vector<bool> result;
+    for (const Parent& wanted : parents) {
+      if (wanted.entity.kind != EntityKind::face) continue;
+      std::size_t i = 0;
+      for (const Parent& p : of_parts_.parents(f)) {
+        if (p.entity.kind != EntityKind::face) continue;
+        if (translated(p) == wanted) {
+          result.push_back(of_parts_.same_sense[f.index()][i]);
+          break;
+        }
+        ++i;
+      }
+    }
+    return result;
+  }
+
+  RegionId region_around(RegionId c) const {
+    RegionId found = Complex::infinite_region();
+    for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+      const RegionId r = of_parts_.region_of[p][c.index()];
+      if (r == Complex::infinite_region()) continue;
+      const RegionId of_whole = parts_[p].from.regions[r.index()].front();
+      if (whole_->is_region(of_whole)) return of_whole;
+      if (found == Complex::infinite_region()) found = of_whole;
+    }
+    return found;
+  }
+
+  const Fragment& of_parts_;
+  const std::vector<ModelPart>& parts_;
+  std::shared_ptr<const Model> whole_;
+  Fragment result_;
+};
+
 }  // namespace
 
 std::span<const std::uint32_t> Fragment::pieces(std::uint32_t operand, EntityRef entity) const {
   return piece_table[operand][static_cast<std::size_t>(entity.kind)][entity.index];
 }
 
-Result<Fragment> fragment(std::vector<std::shared_ptr<const Model>> operands, const FragmentOptions& options,
-                          const Context& context) {
-  if (operands.empty()) return Error{errors::no_operands, "there is nothing to fragment"};
-  const FragmentEngine& engine = options.engine != nullptr ? *options.engine : occt_engine();
-  Result<Imprint> imprint =
-      operands.size() == 1 ? copy_of(*operands.front()) : engine.imprint(operands, options.tolerance, context);
-  if (!imprint.ok()) return imprint.error();
-  imprint->builder.length_unit = operands.front()->length_unit;
-  imprint->builder.tolerance = options.tolerance;
-  for (const auto& operand : operands)
-    imprint->builder.tolerance = std::max(imprint->builder.tolerance, operand->tolerance());
+namespace {
 
-  ARESTA_TRY(const Cells cells, imprint->builder.find_cells(context));
+Result<Fragment> finish(std::vector<std::shared_ptr<const Model>> operands, Imprint& imprint,
+                        const FragmentOptions& options, const Context& context) {
+  imprint.builder.length_unit = operands.front()->length_unit;
+  imprint.builder.tolerance = options.tolerance;
+  for (const auto& operand : operands)
+    imprint.builder.tolerance = std::max(imprint.builder.tolerance, operand->tolerance());
+
+  ARESTA_TRY(const Cells cells, imprint.builder.find_cells(context));
   Fragment result;
   result.operands = std::move(operands);
-  ARESTA_TRY(Model unfilled, imprint->builder.build(cells, std::vector<bool>(cells.count, false)));
+  ARESTA_TRY(Model unfilled, imprint.builder.build(cells, std::vector<bool>(cells.count, false)));
   result.model = std::make_shared<const Model>(std::move(unfilled));
-  ARESTA_CHECK(Labeller(result, imprint->face_parents, context).run());
-  fill_piece_table(result, {&imprint->vertex_parents, &imprint->edge_parents, &imprint->face_parents});
+  ARESTA_CHECK(Labeller(result, imprint.face_parents, context).run());
+  fill_piece_table(result, {&imprint.vertex_parents, &imprint.edge_parents, &imprint.face_parents});
   ARESTA_CHECK(check_conservation(result, context));
 
-  mark_constraints(*imprint, result);
-  imprint->builder.provenance = make_provenance(result, *imprint);
+  mark_constraints(imprint, result);
+  imprint.builder.provenance = make_provenance(result, imprint);
   ARESTA_TRY(Model filled,
-             imprint->builder.build(cells, filled_cells(result, imprint->face_parents, options.detect_regions)));
+             imprint.builder.build(cells, filled_cells(result, imprint.face_parents, options.detect_regions)));
   result.conflicts = inherit_labels(filled);
   result.model = std::make_shared<const Model>(std::move(filled));
   return result;
+}
+
+/// Parts that meet only in what they have as wholes need no intersecting.
+Result<std::optional<Fragment>> by_identity(const std::vector<std::shared_ptr<const Model>>& operands,
+                                            const FragmentOptions& options, const Context& context) {
+  FragmentOptions identity = options;
+  identity.engine = &identity_engine();
+  Result<Fragment> joined = fragment(operands, identity, context);
+  if (!joined.ok()) {
+    if (joined.error().code == errors::cancelled) return std::move(joined).error();
+    return std::optional<Fragment>();
+  }
+  ARESTA_TRY(const bool meets, meets_unshared(*joined->model, context));
+  if (meets) return std::optional<Fragment>();
+  return std::optional<Fragment>(std::move(*joined));
+}
+
+Result<Fragment> fragment_of_one(std::shared_ptr<const Model> model, const FragmentOptions& options,
+                                 const Context& context) {
+  ARESTA_TRY(const bool meets, meets_unshared(*model, context));
+  if (!meets) {
+    ARESTA_TRY(Imprint copy, copy_of(*model));
+    return finish({model}, copy, options, context);
+  }
+  ARESTA_TRY(const std::vector<ModelPart> parts, split_into_parts(*model));
+  if (parts.size() == 1) {
+    // Whatever does not hang together in it is imprinted on each other.
+    const FragmentEngine& engine = options.engine != nullptr ? *options.engine : occt_engine();
+    const std::vector<std::shared_ptr<const Model>> alone{model};
+    ARESTA_TRY(Imprint imprint, engine.imprint(alone, options.tolerance, context));
+    return finish(alone, imprint, options, context);
+  }
+  std::vector<std::shared_ptr<const Model>> operands;
+  for (const ModelPart& part : parts) operands.push_back(part.model);
+  if (options.engine == nullptr) {
+    ARESTA_TRY(const auto joined, by_identity(operands, options, context));
+    if (joined) return Regrouping(*joined, parts, model).run();
+  }
+  ARESTA_TRY(const Fragment imprinted, fragment(std::move(operands), options, context));
+  return Regrouping(imprinted, parts, model).run();
+}
+
+}  // namespace
+
+Result<Fragment> fragment(std::vector<std::shared_ptr<const Model>> operands, const FragmentOptions& options,
+                          const Context& context) {
+  if (operands.empty()) return Error{errors::no_operands, "there is nothing to fragment"};
+  if (operands.size() == 1) return fragment_of_one(operands.front(), options, context);
+  const FragmentEngine& engine = options.engine != nullptr ? *options.engine : occt_engine();
+  ARESTA_TRY(Imprint imprint, engine.imprint(operands, options.tolerance, context));
+  return finish(std::move(operands), imprint, options, context);
 }
 
 }  // namespace aresta

@@ -9,6 +9,10 @@
 // and the volume of every operand's region that of its cells (not_conserved): a fragment that lost or doubled something
 // is never returned. Cost above the engine's: O(faces x operands).
 //
+// One operand is its own fragment, unless the full checker finds that its parts meet without sharing what they meet in:
+// then each region, and what belongs to none, is a part for itself, and the parts are imprinted on each other. Where
+// regions overlap the cell has both for parents; region_of can tell but one of them, the first.
+//
 // Regions of the result: a cell is filled when it lies in a region of some operand, or when it is enclosed with the
 // help of a face that bounds no operand's region (sheets that close a volume make a region; the void of a hollow body
 // stays empty).

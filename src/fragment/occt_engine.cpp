@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "fragment/engine.h"
+#include "fragment/identity.h"
 #include "occt/general_fuse.h"
 
 namespace aresta {
@@ -20,13 +20,37 @@ std::vector<std::vector<Parent>> to_parents(const std::vector<std::vector<FusePa
   return result;
 }
 
+Result<FuseInput> to_input(const Identity& identity, std::size_t operands) {
+  FuseInput input;
+  input.operands = operands;
+  const auto translate = [](const std::vector<std::vector<Parent>>& all) {
+    std::vector<std::vector<FuseParent>> result(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (const Parent& p : all[i]) result[i].push_back({p.source, p.entity});
+    }
+    return result;
+  };
+  input.vertices = translate(identity.imprint.vertex_parents);
+  input.edges = translate(identity.imprint.edge_parents);
+  input.faces = translate(identity.imprint.face_parents);
+  for (std::size_t f = 0; f < input.faces.size(); ++f) {
+    for (std::size_t i = 0; i < input.faces[f].size(); ++i) input.faces[f][i].opposite = identity.opposite[f][i];
+  }
+  ModelBuilder builder = identity.imprint.builder;
+  ARESTA_TRY(Model model, builder.provisional());
+  input.model = std::make_shared<const Model>(std::move(model));
+  return input;
+}
+
 class OcctEngine final : public FragmentEngine {
  public:
   const char* name() const override { return "occt"; }
 
   Result<Imprint> imprint(std::span<const std::shared_ptr<const Model>> operands, double tolerance,
                           const Context& context) const override {
-    ARESTA_TRY(FuseResult fused, general_fuse(operands, tolerance, context));
+    ARESTA_TRY(const Identity identity, unite_coincident(operands, tolerance, context));
+    ARESTA_TRY(const FuseInput input, to_input(identity, operands.size()));
+    ARESTA_TRY(FuseResult fused, general_fuse(input, tolerance, context));
     return Imprint{std::move(fused.builder), to_parents(fused.vertices), to_parents(fused.edges),
                    to_parents(fused.faces)};
   }

@@ -35,7 +35,7 @@ const Handle(Geom_Surface) & of(const FreeSurface& s) {
 }
 
 /// Parameters of the samples in one direction: a few per span of the knots inside the range.
-std::vector<double> sample_line(std::vector<double> breaks, Range range) {
+std::vector<double> sample_line(const std::vector<double>& breaks, Range range) {
   std::vector<double> at{range.low};
   for (const double b : breaks) {
     if (b > at.back() && b < range.high) at.push_back(b);

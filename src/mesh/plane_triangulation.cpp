@@ -82,7 +82,7 @@ class Triangulation {
     points_.push_back(centre + Vec2{0, 80 * size});
     triangles_.push_back({{first_outer_, first_outer_ + 1, first_outer_ + 2}, {nobody, nobody, nobody}});
     some_triangle_.assign(points_.size(), nobody);
-    for (int i = 0; i < 3; ++i) some_triangle_[static_cast<std::size_t>(first_outer_ + i)] = 0;
+    for (std::size_t i = 0; i < 3; ++i) some_triangle_[static_cast<std::size_t>(first_outer_) + i] = 0;
   }
 
   int locate(Vec2 p) {

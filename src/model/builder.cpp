@@ -139,7 +139,6 @@ Result<Model> ModelBuilder::build(const Cells& cells, const std::vector<bool>& f
   return model;
 }
 
-/// Everything in infinite space and any radial order: enough to ask for geometry by loops.
 Result<Model> ModelBuilder::provisional() {
   ARESTA_CHECK(link_coedges(incidence_, points_));
   Cells all_infinite;

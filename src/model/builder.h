@@ -55,7 +55,11 @@ class ModelBuilder {
   double length_unit = 1e-3;
   double tolerance = 0;  ///< asked for; see Model::tolerance
 
+  std::size_t vertex_count() const { return points_.size(); }
+  std::size_t edge_count() const { return edge_geometry_.size(); }
   std::size_t face_count() const { return face_geometry_.size(); }
+  std::size_t curve_count() const { return curves_.size(); }
+  std::size_t surface_count() const { return surfaces_.size(); }
 
   /// The radial order, when the caller knows it (one entry per coedge added, in that order); find_cells finds it
   /// itself.
@@ -74,9 +78,11 @@ class ModelBuilder {
 
   Result<Model> build(const Context& context);
 
- private:
+  /// Everything in infinite space and any radial order: enough to ask for geometry by loops, also while entities still
+  /// meet unshared.
   Result<Model> provisional();
 
+ private:
   Incidence incidence_;
   std::vector<Vec3> points_;
   std::vector<double> vertex_tolerance_;

@@ -435,7 +435,7 @@ class MeetingCheck {
     Vec3 place{};
     bool inside = false;
   };
-  static constexpr int grid_count = 8;
+  static constexpr std::size_t grid_count = 8;
 
   const std::vector<GridPoint>& grid(FaceId f) {
     auto& points = grids_[f.index()];
@@ -450,10 +450,11 @@ class MeetingCheck {
     const Surface& surface = model_.surface(f);
     const double tol = std::max(model_.tolerance(f), model_.tolerance());
     points.resize(grid_count * grid_count);
-    for (int i = 0; i < grid_count; ++i) {
-      for (int j = 0; j < grid_count; ++j) {
-        GridPoint& g = points[static_cast<std::size_t>(i * grid_count + j)];
-        g.uv = {box.u.at((i + 0.5137) / grid_count), box.v.at((j + 0.4721) / grid_count)};
+    for (std::size_t i = 0; i < grid_count; ++i) {
+      for (std::size_t j = 0; j < grid_count; ++j) {
+        GridPoint& g = points[i * grid_count + j];
+        g.uv = {box.u.at((static_cast<double>(i) + 0.5137) / grid_count),
+                box.v.at((static_cast<double>(j) + 0.4721) / grid_count)};
         g.place = surface.point(g.uv);
         g.inside = trim(f).locate(g.uv, tol) == Position::inside;
       }
@@ -486,9 +487,9 @@ class MeetingCheck {
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (points[i].inside && box.contains(points[i].place)) feet_[i] = foot_of(points[i].place, other, nullptr);
     }
-    for (int i = 0; i < grid_count; ++i) {
-      for (int j = 0; j < grid_count; ++j) {
-        const auto a = static_cast<std::size_t>(i * grid_count + j);
+    for (std::size_t i = 0; i < grid_count; ++i) {
+      for (std::size_t j = 0; j < grid_count; ++j) {
+        const std::size_t a = i * grid_count + j;
         for (int way = 0; way < 2; ++way) {
           if ((way == 0 ? i : j) + 1 >= grid_count) continue;
           const std::size_t b = way == 0 ? a + grid_count : a + 1;

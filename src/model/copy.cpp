@@ -1,47 +1,100 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/copy.h"
 
+#include <algorithm>
+
 namespace aresta {
 
-ModelBuilder to_builder(const Model& model, const GeometryChanges& changes) {
+namespace {
+
+/// What new surfaces add to the tolerances of edges and vertices.
+struct Slack {
+  std::vector<double> edges, vertices;
+
+  Slack(const Complex& k, const GeometryChanges& changes) : edges(k.edge_count(), 0), vertices(k.vertex_count(), 0) {
+    for (const auto& [f, changed] : changes.surfaces) {
+      for (const LoopId l : k.loops(f)) {
+        if (k.is_vertex_loop(l)) {
+          widen(vertices[k.loop_vertex(l).index()], changed.deviation);
+          continue;
+        }
+        for (const CoedgeId c : k.coedges(l)) widen(edges[k.edge(c).index()], changed.deviation);
+      }
+    }
+    for (const EdgeId e : k.edges()) {
+      double here = edges[e.index()];
+      if (const auto changed = changes.curves.find(e); changed != changes.curves.end()) {
+        here += changed->second.deviation;
+      }
+      widen(vertices[k.start(e).index()], here);
+      widen(vertices[k.end(e).index()], here);
+    }
+  }
+
+ private:
+  static void widen(double& slack, double by) { slack = std::max(slack, by); }
+};
+
+}  // namespace
+
+void append(ModelBuilder& copy, const Model& model, const GeometryChanges& changes) {
   const Complex& k = model.topology();
-  ModelBuilder copy;
-  for (const VertexId v : k.vertices()) copy.add_vertex(model.point(v), model.tolerance(v));
+  const std::size_t vertices = copy.vertex_count(), edges = copy.edge_count();
+  const std::size_t curves = copy.curve_count(), surfaces = copy.surface_count();
+  const auto moved = [](auto id, std::size_t by) { return id.valid() ? decltype(id)(id.index() + by) : id; };
+  const Slack slack(k, changes);
+  for (const VertexId v : k.vertices()) {
+    copy.add_vertex(model.point(v), model.tolerance(v) + slack.vertices[v.index()]);
+  }
   for (std::size_t c = 0; c < model.curve_count(); ++c) copy.add_curve(model.curve(CurveId(c)));
   for (std::size_t s = 0; s < model.surface_count(); ++s) copy.add_surface(model.surface(SurfaceId(s)));
   for (const EdgeId e : k.edges()) {
     const EdgeGeometry& g = model.geometry(e);
     const auto changed = changes.curves.find(e);
     if (changed == changes.curves.end()) {
-      copy.add_edge(k.start(e), k.end(e), g.curve, g.range, g.tolerance);
+      copy.add_edge(moved(k.start(e), vertices), moved(k.end(e), vertices), moved(g.curve, curves), g.range,
+                    g.tolerance + slack.edges[e.index()]);
     } else {
       const auto& [curve, range, deviation] = changed->second;
-      copy.add_edge(k.start(e), k.end(e), copy.add_curve(curve), range, g.tolerance + deviation);
+      copy.add_edge(moved(k.start(e), vertices), moved(k.end(e), vertices), copy.add_curve(curve), range,
+                    g.tolerance + deviation + slack.edges[e.index()]);
     }
   }
   for (const FaceId f : k.faces()) {
     const FaceGeometry& g = model.geometry(f);
-    copy.begin_face(g.surface, g.reversed, g.tolerance);
+    const auto new_surface = changes.surfaces.find(f);
+    const bool has_new_surface = new_surface != changes.surfaces.end();
+    if (has_new_surface) {
+      const auto& [surface, turned, deviation] = new_surface->second;
+      copy.begin_face(copy.add_surface(surface), g.reversed != turned, g.tolerance + deviation);
+    } else {
+      copy.begin_face(moved(g.surface, surfaces), g.reversed, g.tolerance);
+    }
     copy.set_constraint(g.constraint);
     for (const LoopId l : k.loops(f)) {
       if (k.is_vertex_loop(l)) {
-        copy.add_point_loop(k.loop_vertex(l));
+        copy.add_point_loop(moved(k.loop_vertex(l), vertices));
         continue;
       }
       for (const CoedgeId c : k.coedges(l)) {
         const auto changed = changes.images.find(c);
         const Curve2* image = changed != changes.images.end() ? &changed->second : model.pcurve(c);
-        const bool stale = changed == changes.images.end() && changes.curves.contains(k.edge(c));
+        const bool stale = changed == changes.images.end() && (has_new_surface || changes.curves.contains(k.edge(c)));
         if (image != nullptr && !stale) {
-          copy.add_coedge(k.edge(c), k.reversed(c), *image);
+          copy.add_coedge(moved(k.edge(c), edges), k.reversed(c), *image);
         } else {
-          copy.add_coedge(k.edge(c), k.reversed(c));
+          copy.add_coedge(moved(k.edge(c), edges), k.reversed(c));
         }
       }
       copy.close_loop();
     }
     copy.end_face();
   }
+}
+
+ModelBuilder to_builder(const Model& model, const GeometryChanges& changes) {
+  ModelBuilder copy;
+  append(copy, model, changes);
   copy.labels = model.labels;
   copy.length_unit = model.length_unit;
   copy.tolerance = model.tolerance();

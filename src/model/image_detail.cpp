@@ -18,9 +18,15 @@ void widen(Range& r, double value) {
   r = r.low > r.high ? Range{value, value} : Range{std::min(r.low, value), std::max(r.high, value)};
 }
 
-/// Is the whole line v = const through uv one point of the surface, so that u means nothing there?
-bool is_pole(const Surface& surface, Vec2 uv, double period, double size) {
-  return norm(surface.jet(uv).du) * period <= 1e-7 * size;
+/// Is the whole line v = const (u = const) through uv one point of the surface, so that u (v) means nothing there?
+struct Pole {
+  bool u = false, v = false;
+};
+
+Pole pole_at(const Surface& surface, Vec2 uv, Vec2 period, double size) {
+  const SurfaceJet jet = surface.jet(uv);
+  return {period.x > 0 && norm(jet.du) * period.x <= 1e-7 * size,
+          period.y > 0 && norm(jet.dv) * period.y <= 1e-7 * size};
 }
 
 void sample(const Model& model, const Surface& surface, ImagePiece& piece) {
@@ -168,9 +174,11 @@ FaceImage image_of(const Model& model, FaceId face) {
       if (i > 0 && periodic) {
         const ImagePiece& before = pieces[i - 1];
         Vec2 shift = nearest_shift(piece.start, before.end, image.period);
-        if (shift.x != before.shift.x && image.period.x > 0) {
+        if (shift.x != before.shift.x || shift.y != before.shift.y) {
           if (size == 0) size = model.bounds(topology.edge(piece.coedge)).diagonal();
-          if (is_pole(surface, piece.start, image.period.x, size)) shift.x = before.shift.x;
+          const Pole pole = pole_at(surface, piece.start, image.period, size);
+          if (pole.u) shift.x = before.shift.x;
+          if (pole.v) shift.y = before.shift.y;
         }
         piece.shift = shift;
         piece.start += shift;
@@ -180,8 +188,11 @@ FaceImage image_of(const Model& model, FaceId face) {
     }
     ImagePiece& last = pieces[loop.count - 1];
     Vec2 turn = periodic ? nearest_shift(pieces[0].start, last.end, image.period) : Vec2{};
-    if (turn.x != 0 && is_pole(surface, last.end, image.period.x, model.bounds(topology.edge(last.coedge)).diagonal()))
-      turn.x = 0;
+    if (turn.x != 0 || turn.y != 0) {
+      const Pole pole = pole_at(surface, last.end, image.period, model.bounds(topology.edge(last.coedge)).diagonal());
+      if (pole.u) turn.x = 0;
+      if (pole.v) turn.y = 0;
+    }
     last.gap_end = pieces[0].start + turn;
     loop.winding = {image.period.x > 0 ? turn.x / image.period.x : 0, image.period.y > 0 ? turn.y / image.period.y : 0};
     image.loops.push_back(loop);

@@ -3,9 +3,10 @@
 //
 // The indicator of the face changes by one wherever a path crosses its boundary, and the boundary's direction says
 // which way. So the signed crossings along a path that ends in one fixed place give the indicator up to a constant, on
-// any surface: on a plane, cylinder, sphere the path goes up along u = const without end (or to the pole); on a torus
-// up to v = const and then along it to a fixed u. The constant is found once, beside an edge, where the loop's sense
-// tells the inside. Faces with poles inside, with loops that wind around the surface, without seams, need nothing more.
+// any surface: on a plane, cylinder, sphere the path goes up along u = const without end (or to the pole); where only v
+// is periodic it goes along v = const; on a torus up to v = const and then along it to a fixed u. The constant is found
+// once, beside an edge, where the loop's sense tells the inside. Faces with poles inside, with loops that wind around
+// the surface, without seams, need nothing more.
 //
 // Boundary images are chords with a bound of their deviation. A point nearer to a chord than that bound makes the piece
 // of the image be refined, down to the tolerance of the question; else the chord is crossed as the image would be.
@@ -141,6 +142,15 @@ struct FaceTrim::Data {
   /// Crossings of one chord with the path from p to where paths end.
   double crossings(Vec2 a, Vec2 b, Vec2 p) const {
     double sum = 0;
+    if (image.period.x == 0 && image.period.y > 0) {
+      if (a.y == b.y) return 0;
+      const double low = std::min(a.y, b.y), high = std::max(a.y, b.y), sign = b.y > a.y ? 1 : -1;
+      const double period = image.period.y;
+      for (double y = p.y + period * std::ceil((low - p.y) / period); y < high; y += period) {
+        if (y >= low && a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x) > p.x) sum += sign;
+      }
+      return sum;
+    }
     if (a.x != b.x) {
       const double low = std::min(a.x, b.x), high = std::max(a.x, b.x), sign = b.x < a.x ? 1 : -1;
       const double period = image.period.x;

@@ -22,15 +22,19 @@
 
 #include "base/union_find.h"
 #include "geometry/occt_handles.h"
+#include "model/copy.h"
 #include "occt/errors.h"
 #include "occt/fuse_checks.h"
 #include "occt/guard.h"
 #include "occt/model_shape.h"
+#include "occt/seat_seams.h"
 #include "occt/shape_reader.h"
 
 namespace aresta {
 
 namespace {
+
+constexpr std::uint32_t none = 0xffffffffu;
 
 /// What a message of the library means for a person; null for those that do no harm here.
 const char* meaning(std::string_view alert) {
@@ -60,15 +64,19 @@ const char* meaning(std::string_view alert) {
   return nullptr;
 }
 
+/// An operand's entities: which of the input's they are, and as what parents they appear in the result.
 struct Operand {
-  std::shared_ptr<const ModelShape::Data> shapes;
-  TopTools_IndexedMapOfShape vertices, edges, faces;
+  struct Member {
+    std::uint32_t index;  ///< in the input's model
+    FuseParent parent;
+  };
+  std::vector<Member> vertices, edges, faces;
 };
 
 class GeneralFuse {
  public:
-  GeneralFuse(std::span<const std::shared_ptr<const Model>> models, double tolerance, const Context& context)
-      : models_(models), tolerance_(tolerance), context_(context) {}
+  GeneralFuse(const FuseInput& input, double tolerance, const Context& context)
+      : input_(input), tolerance_(tolerance), context_(context) {}
 
   Result<FuseResult> run() {
     ARESTA_CHECK(convert());
@@ -85,53 +93,91 @@ class GeneralFuse {
   Status convert() {
     ToShapeOptions options;
     options.solids = false;
-    operands_.resize(models_.size());
-    for (std::size_t i = 0; i < models_.size(); ++i) {
-      ARESTA_TRY(const ModelShape shape, to_shape(*models_[i], options, context_));
-      Operand& operand = operands_[i];
-      operand.shapes = std::shared_ptr<const ModelShape::Data>(std::make_shared<ModelShape::Data>(shape.data()));
-      for (const auto& v : operand.shapes->vertices) operand.vertices.Add(v);
-      for (const auto& e : operand.shapes->edges) operand.edges.Add(e);
-      for (const auto& f : operand.shapes->faces) operand.faces.Add(f);
-      add_arguments(*models_[i], *operand.shapes);
+    const GeometryChanges changes = seat_seams(*input_.model);
+    model_ = input_.model;
+    if (!changes.surfaces.empty()) {
+      ARESTA_TRY(Model seated, to_builder(*input_.model, changes).provisional());
+      model_ = std::make_shared<const Model>(std::move(seated));
     }
+    ARESTA_TRY(const ModelShape shape, to_shape(*model_, options, context_));
+    shapes_ = std::make_shared<ModelShape::Data>(shape.data());
+    for (const auto& v : shapes_->vertices) vertices_.Add(v);
+    for (const auto& e : shapes_->edges) edges_.Add(e);
+    for (const auto& f : shapes_->faces) faces_.Add(f);
+    operands_.resize(input_.operands);
+    const auto gather = [&](const auto& parents, std::vector<Operand::Member> Operand::*list) {
+      for (std::uint32_t i = 0; i < parents.size(); ++i) {
+        for (const FuseParent& p : parents[i]) (operands_[p.operand].*list).push_back({i, p});
+      }
+    };
+    gather(input_.vertices, &Operand::vertices);
+    gather(input_.edges, &Operand::edges);
+    gather(input_.faces, &Operand::faces);
+    place_.assign(vertex_count() + edge_count() + face_count(), none);
+    std::set<std::vector<std::uint32_t>> known;
+    for (const Operand& operand : operands_) add_arguments(operand, known);
     return {};
   }
 
-  // The connected parts of an operand, in the order of their first members: vertices, then edges, then faces.
-  void add_arguments(const Model& model, const ModelShape::Data& shapes) {
-    const Complex& k = model.topology();
-    const std::size_t edges = k.vertex_count(), faces = edges + k.edge_count();
-    UnionFind sets(faces + k.face_count());
-    for (const EdgeId e : k.edges()) {
-      sets.unite(k.start(e).index(), edges + e.index());
-      sets.unite(k.end(e).index(), edges + e.index());
+  std::size_t vertex_count() const { return model_->topology().vertex_count(); }
+  std::size_t edge_count() const { return model_->topology().edge_count(); }
+  std::size_t face_count() const { return model_->topology().face_count(); }
+
+  // The connected parts of an operand, in the order of their first members: vertices, then edges, then faces. Parts
+  // that another operand has, too, are there already.
+  void add_arguments(const Operand& operand, std::set<std::vector<std::uint32_t>>& known) {
+    const Complex& k = model_->topology();
+    const auto edge_item = [&](std::size_t e) { return static_cast<std::uint32_t>(vertex_count() + e); };
+    const auto face_item = [&](std::size_t f) { return static_cast<std::uint32_t>(vertex_count() + edge_count() + f); };
+    std::vector<std::uint32_t> items;
+    const auto note = [&](std::uint32_t item) {
+      if (place_[item] != none) return;
+      place_[item] = static_cast<std::uint32_t>(items.size());
+      items.push_back(item);
+    };
+    for (const auto& v : operand.vertices) note(v.index);
+    for (const auto& e : operand.edges) note(edge_item(e.index));
+    for (const auto& f : operand.faces) note(face_item(f.index));
+    UnionFind sets(items.size());
+    std::vector<bool> bounds(items.size(), false);  // something of the operand
+    const auto unite = [&](std::uint32_t low, std::uint32_t high) {
+      sets.unite(place_[low], place_[high]);
+      bounds[place_[low]] = true;
+    };
+    for (const auto& e : operand.edges) {
+      const EdgeId edge(e.index);
+      unite(k.start(edge).value, edge_item(e.index));
+      unite(k.end(edge).value, edge_item(e.index));
     }
-    for (const LoopId l : k.loops()) {
-      const std::size_t face = faces + k.face(l).index();
-      if (k.is_vertex_loop(l)) {
-        sets.unite(k.loop_vertex(l).index(), face);
-      } else {
-        sets.unite(edges + k.edge(k.first_coedge(l)).index(), face);
+    for (const auto& f : operand.faces) {
+      for (const LoopId l : k.loops(FaceId(f.index))) {
+        if (k.is_vertex_loop(l)) {
+          unite(k.loop_vertex(l).value, face_item(f.index));
+        } else {
+          for (const CoedgeId c : k.coedges(l)) unite(edge_item(k.edge(c).index()), face_item(f.index));
+        }
       }
     }
-    std::vector<TopoDS_Compound> parts(sets.size());
-    BRep_Builder build;
-    const auto add = [&](std::size_t item, const TopoDS_Shape& shape) {
-      TopoDS_Compound& part = parts[sets.find(item)];
-      if (part.IsNull()) build.MakeCompound(part);
-      build.Add(part, shape);
-    };
-    for (const FaceId f : k.faces()) add(faces + f.index(), shapes.faces[f.index()]);
-    for (const EdgeId e : k.edges()) {
-      if (k.is_wire(e)) add(edges + e.index(), shapes.edges[e.index()]);
+    std::vector<std::vector<std::uint32_t>> parts(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      if (!bounds[i]) parts[sets.find(i)].push_back(items[i]);
     }
-    for (const VertexId v : k.vertices()) {
-      if (k.isolated_in_shell(v).valid()) add(v.index(), shapes.vertices[v.index()]);
+    for (std::vector<std::uint32_t>& part : parts) {
+      std::sort(part.begin(), part.end());
+      if (part.empty() || !known.insert(part).second) continue;
+      TopoDS_Compound argument;
+      BRep_Builder build;
+      build.MakeCompound(argument);
+      for (const std::uint32_t item : part) build.Add(argument, shape_of(item));
+      arguments_.Append(argument);
     }
-    for (const TopoDS_Compound& part : parts) {
-      if (!part.IsNull()) arguments_.Append(part);
-    }
+    for (const std::uint32_t item : items) place_[item] = none;
+  }
+
+  const TopoDS_Shape& shape_of(std::size_t item) const {
+    if (item < vertex_count()) return shapes_->vertices[item];
+    if (item < vertex_count() + edge_count()) return shapes_->edges[item - vertex_count()];
+    return shapes_->faces[item - vertex_count() - edge_count()];
   }
 
   Status fuse() {
@@ -212,22 +258,15 @@ class GeneralFuse {
   }
 
   /// The entities that a shape is, else those that it is made of.
-  bool collect(const TopoDS_Shape& shape, std::set<std::pair<std::uint32_t, EntityRef>>& named) const {
-    for (std::size_t i = 0; i < operands_.size(); ++i) {
-      const Operand& o = operands_[i];
-      const auto try_map = [&](const TopTools_IndexedMapOfShape& map, EntityKind kind) {
-        const int index = map.FindIndex(shape);
-        if (index > 0)
-          named.emplace(static_cast<std::uint32_t>(i), EntityRef(kind, static_cast<std::uint32_t>(index - 1)));
-        return index > 0;
-      };
-      if (try_map(o.faces, EntityKind::face) || try_map(o.edges, EntityKind::edge) ||
-          try_map(o.vertices, EntityKind::vertex)) {
-        return true;
-      }
-    }
+  void collect(const TopoDS_Shape& shape, std::set<std::pair<std::uint32_t, EntityRef>>& named) const {
+    const auto found = [&](const TopTools_IndexedMapOfShape& map, const auto& parents) {
+      const int index = map.FindIndex(shape);
+      if (index == 0) return false;
+      for (const FuseParent& p : parents[static_cast<std::size_t>(index - 1)]) named.emplace(p.operand, p.entity);
+      return true;
+    };
+    if (found(faces_, input_.faces) || found(edges_, input_.edges) || found(vertices_, input_.vertices)) return;
     for (TopoDS_Iterator it(shape); it.More(); it.Next()) collect(it.Value(), named);
-    return false;
   }
 
   TopTools_ListOfShape images(const TopoDS_Shape& shape) {
@@ -261,17 +300,11 @@ class GeneralFuse {
       on_vertices.clear(maps_);
       on_edges.clear(maps_);
       on_faces.clear(maps_);
-      const Operand& o = operands_[i];
-      const auto index = static_cast<std::uint32_t>(i);
-      for (int v = 1; v <= o.vertices.Extent(); ++v) {
-        ARESTA_CHECK(claim(o.vertices(v), {index, VertexId(static_cast<std::size_t>(v - 1))}, on_vertices));
+      for (const auto& v : operands_[i].vertices) {
+        ARESTA_CHECK(claim(shapes_->vertices[v.index], v, on_vertices));
       }
-      for (int e = 1; e <= o.edges.Extent(); ++e) {
-        ARESTA_CHECK(claim(o.edges(e), {index, EdgeId(static_cast<std::size_t>(e - 1))}, on_edges));
-      }
-      for (int f = 1; f <= o.faces.Extent(); ++f) {
-        ARESTA_CHECK(claim(o.faces(f), {index, FaceId(static_cast<std::size_t>(f - 1))}, on_faces));
-      }
+      for (const auto& e : operands_[i].edges) ARESTA_CHECK(claim(shapes_->edges[e.index], e, on_edges));
+      for (const auto& f : operands_[i].faces) ARESTA_CHECK(claim(shapes_->faces[f.index], f, on_faces));
       const auto keep = [](std::vector<FuseParent>& to, std::initializer_list<const std::vector<FuseParent>*> choices) {
         for (const auto* choice : choices) {
           if (choice->empty()) continue;
@@ -293,7 +326,8 @@ class GeneralFuse {
     return require_parents();
   }
 
-  Status claim(const TopoDS_Shape& shape, FuseParent parent, Lists& lists) {
+  Status claim(const TopoDS_Shape& shape, const Operand::Member& member, Lists& lists) {
+    const FuseParent& parent = member.parent;
     bool found = false;
     for (const TopoDS_Shape& image : images(shape)) {
       TopTools_IndexedMapOfShape parts;
@@ -307,7 +341,8 @@ class GeneralFuse {
           found = found || parent.entity.kind == EntityKind::edge;
         } else if (const int f = maps_.faces.FindIndex(parts(p)); f > 0) {
           FuseParent of_face = parent;
-          ARESTA_TRY(of_face.opposite, is_opposite(TopoDS::Face(maps_.faces(f)), parent));
+          ARESTA_TRY(const bool opposite, is_opposite(TopoDS::Face(maps_.faces(f)), member));
+          of_face.opposite = opposite != parent.opposite;
           lists.by_face[static_cast<std::size_t>(f - 1)].push_back(of_face);
           found = true;
         }
@@ -324,8 +359,10 @@ class GeneralFuse {
     return {};
   }
 
-  Result<bool> is_opposite(const TopoDS_Face& piece, const FuseParent& parent) {
-    const TopoDS_Face source = TopoDS::Face(operands_[parent.operand].faces(static_cast<int>(parent.entity.index) + 1));
+  /// Of a piece and the input's face that it came from.
+  Result<bool> is_opposite(const TopoDS_Face& piece, const Operand::Member& member) {
+    const EntityRef entity = member.parent.entity;
+    const TopoDS_Face& source = shapes_->faces[member.index];
     TopLoc_Location here, there;
     if (BRep_Tool::Surface(piece, here) == BRep_Tool::Surface(source, there)) {
       return (piece.Orientation() == TopAbs_REVERSED) != (source.Orientation() == TopAbs_REVERSED);
@@ -333,17 +370,15 @@ class GeneralFuse {
     gp_Pnt p;
     gp_Pnt2d uv;
     if (BOPTools_AlgoTools3D::PointInFace(piece, p, uv, tools_) != 0) {
-      return Error{errors::general_fuse_failed, "a piece of a face is thinner than the tolerance", {parent.entity}};
+      return Error{errors::general_fuse_failed, "a piece of a face is thinner than the tolerance", {entity}};
     }
     gp_Dir normal;
     if (!BOPTools_AlgoTools3D::GetNormalToSurface(BRep_Tool::Surface(piece), uv.X(), uv.Y(), normal)) {
-      return Error{
-          errors::general_fuse_failed, "a piece of a face has no normal", {parent.entity}, {{p.X(), p.Y(), p.Z()}}};
+      return Error{errors::general_fuse_failed, "a piece of a face has no normal", {entity}, {{p.X(), p.Y(), p.Z()}}};
     }
     if (piece.Orientation() == TopAbs_REVERSED) normal.Reverse();
-    const Model& model = *models_[parent.operand];
-    const FaceId f(parent.entity.index);
-    const Vec3 other = model.normal(f, model.surface(f).project({p.X(), p.Y(), p.Z()}).uv);
+    const FaceId f(member.index);
+    const Vec3 other = model_->normal(f, model_->surface(f).project({p.X(), p.Y(), p.Z()}).uv);
     return dot(other, {normal.X(), normal.Y(), normal.Z()}) < 0;
   }
 
@@ -363,10 +398,14 @@ class GeneralFuse {
     return check(out_.faces, EntityKind::face);
   }
 
-  std::span<const std::shared_ptr<const Model>> models_;
+  const FuseInput& input_;
   double tolerance_;
   const Context& context_;
+  std::shared_ptr<const Model> model_;  // the input's, its seams seated
+  std::shared_ptr<const ModelShape::Data> shapes_;
+  TopTools_IndexedMapOfShape vertices_, edges_, faces_;
   std::vector<Operand> operands_;
+  std::vector<std::uint32_t> place_;  // of the operand being added: where an item stands among its items
   TopTools_ListOfShape arguments_;
   BOPAlgo_PaveFiller filler_;
   BOPAlgo_Builder builder_;
@@ -379,10 +418,25 @@ class GeneralFuse {
 
 }  // namespace
 
-Result<FuseResult> general_fuse(std::span<const std::shared_ptr<const Model>> operands, double tolerance,
-                                const Context& context) {
+Result<FuseInput> side_by_side(std::span<const std::shared_ptr<const Model>> operands) {
+  FuseInput input;
+  input.operands = operands.size();
+  ModelBuilder all;
+  for (std::uint32_t o = 0; o < operands.size(); ++o) {
+    append(all, *operands[o]);
+    const Complex& k = operands[o]->topology();
+    for (const VertexId v : k.vertices()) input.vertices.push_back({{o, v}});
+    for (const EdgeId e : k.edges()) input.edges.push_back({{o, e}});
+    for (const FaceId f : k.faces()) input.faces.push_back({{o, f}});
+  }
+  ARESTA_TRY(Model model, all.provisional());
+  input.model = std::make_shared<const Model>(std::move(model));
+  return input;
+}
+
+Result<FuseResult> general_fuse(const FuseInput& input, double tolerance, const Context& context) {
   return guarded(errors::general_fuse_failed, "fusing models",
-                 [&]() -> Result<FuseResult> { return GeneralFuse(operands, tolerance, context).run(); });
+                 [&]() -> Result<FuseResult> { return GeneralFuse(input, tolerance, context).run(); });
 }
 
 }  // namespace aresta

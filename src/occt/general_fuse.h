@@ -37,10 +37,22 @@ struct FuseResult {
   std::vector<std::vector<FuseParent>> vertices, edges, faces;
 };
 
-/// `tolerance`: points closer than this are one (the library's fuzzy value; at least 1e-7 works).
+/// What is to be fused: the operands' entities in one model. An entity that several operands have (or that is known to
+/// coincide as a whole) is there once, with a parent for each of them: it is not compared with itself. The model's
+/// cells, fills and radial order are not looked at (ModelBuilder::provisional gives enough).
+struct FuseInput {
+  std::shared_ptr<const Model> model;
+  std::size_t operands = 0;
+  std::vector<std::vector<FuseParent>> vertices, edges, faces;  ///< per entity; sorted, never empty
+};
+
+/// The operands side by side, nothing known about them.
+Result<FuseInput> side_by_side(std::span<const std::shared_ptr<const Model>> operands);
+
+/// `tolerance`: points closer than this are one (the library's fuzzy value; at least 1e-7 works). Parents in the result
+/// are those of the input.
 /// Errors: general_fuse_failed with what the library said and the entities (operands counted from 1 in the message),
 /// to_shape_failed, to_model_failed, cancelled.
-Result<FuseResult> general_fuse(std::span<const std::shared_ptr<const Model>> operands, double tolerance,
-                                const Context& context = {});
+Result<FuseResult> general_fuse(const FuseInput& input, double tolerance, const Context& context = {});
 
 }  // namespace aresta

@@ -198,8 +198,10 @@ Status text_method(const std::string& text, const std::string& name, const std::
 Status method(const Value& target, const std::string& name, std::vector<Value> arguments, Value& out) {
   if (target.is(Kind::list)) return list_method(target.list_pointer(), name, std::move(arguments), out);
   if (target.is(Kind::string)) {
-    const Value keep = target;  // `out` may be the target
-    return text_method(keep.string(), name, arguments, out);
+    Value result;  // apart: `out` may be the target
+    ARESTA_CHECK(text_method(target.string(), name, arguments, result));
+    out = std::move(result);
+    return {};
   }
   return Error{errors::script_type, std::string(document::kind_name(target)) + " has no method '" + name + "'"};
 }

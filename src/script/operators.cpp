@@ -151,7 +151,7 @@ Status real_arithmetic(Op op, const Value& a, const Value& b, Value& out) {
 Status repeat(const Value& sequence, std::int64_t times, Value& out) {
   const std::uint64_t n = times < 0 ? 0 : static_cast<std::uint64_t>(times);
   if (sequence.is(Kind::string)) {
-    const std::string text = sequence.string();
+    const std::string& text = sequence.string();
     if (!text.empty() && n > max_text / text.size())
       return Error{errors::script_too_large, "the text would be too long"};
     std::string r;

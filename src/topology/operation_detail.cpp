@@ -248,6 +248,36 @@ bool fans_fit(const Complex& k, VertexId v) {
 
 }  // namespace
 
+Status require_regions_meet(const Complex& k, RegionId region) {
+  std::vector<VertexId> vertices;
+  const auto gather = [&](Item item) { for_each_vertex_of(k, item, [&](VertexId v) { vertices.push_back(v); }); };
+  for (const ShellId s : k.shells(region)) {
+    for (const FaceUse u : k.face_uses(s)) gather(u);
+    for (const EdgeId e : k.wires(s)) gather(e);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (const VertexId v : vertices) {
+    const std::vector<RegionId> here = regions_at(k, v);
+    const auto index = [&](RegionId r) { return std::lower_bound(here.begin(), here.end(), r) - here.begin(); };
+    UnionFind met(here.size());
+    for_each_item_at(k, v, [&](Item item) {
+      if (item.kind != Item::Kind::side) return;
+      met.unite(static_cast<std::size_t>(index(k.region(item.side()))),
+                static_cast<std::size_t>(index(k.region(item.side().opposite()))));
+    });
+    for (std::size_t i = 1; i < here.size(); ++i) {
+      if (met.find(i) != 0) {
+        return Error{errors::cuts_wire,
+                     "at " + name_of(v) + " something in " + name_of(here[0] == region ? here[i] : here[0]) +
+                         " would be cut off by the new region",
+                     {v}};
+      }
+    }
+  }
+  return {};
+}
+
 Status require_fans_fit(const Complex& k, std::vector<VertexId> vertices) {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());

@@ -67,6 +67,10 @@ FaceChange face_removal(const Complex& k, FaceId f, RegionId kept);
 /// A vertex that is a loop of a face may not be in another loop of it.
 Status require_no_double_corner(const Complex& k, VertexId v);
 
+/// About each vertex of the region, its regions must be reached from each other across the faces there: a new region
+/// may not cut a wire, or a part that hangs on one.
+Status require_regions_meet(const Complex& k, RegionId region);
+
 /// On a small sphere about each vertex, edges are points and corners of faces are arcs: these must not cross.
 Status require_fans_fit(const Complex& k, std::vector<VertexId> vertices);
 

@@ -181,6 +181,7 @@ Result<Applied> g_e(Complex& k, EdgeId kept, EdgeId gone, const EdgeGluing& glui
       return Error{
           errors::wrong_place, "what should go into the new region is connected with what stays outside", {kept}};
     }
+    ARESTA_CHECK(require_regions_meet(k, made.division.region));
     op.applied().region = made.division.region;
   } else if (!made.division.others.empty()) {
     return Error{
@@ -265,7 +266,10 @@ Result<Applied> g_f(Complex& k, FaceUse kept, FaceUse gone, std::span<const std:
   for (const auto& loop : loops) {
     for (const Pair& p : loop) {
       const EdgeId e = k.edge(p.c), d = k.edge(p.d);
-      if (e == d) continue;
+      if (e == d) {
+        if ((k.reversed(p.c) != k.reversed(p.d)) == flipped) continue;
+        return Error{errors::senses_disagree, "the loops would run against each other along " + name_of(e), {e}};
+      }
       EdgeMergeChange x;
       x.kept = e;
       x.gone = d;
@@ -310,14 +314,15 @@ Result<Applied> g_f(Complex& k, FaceUse kept, FaceUse gone, std::span<const std:
     auto& pair = x.loops.emplace_back();
     pair.id = k.loop(loop.front().d);
     pair.beside = k.loop(loop.front().c);
-    for (const Pair& p : loop) {
+    // In the order of the loop that goes.
+    std::vector<Pair> ordered = loop;
+    if (flipped) std::reverse(ordered.begin(), ordered.end());
+    for (const Pair& p : ordered) {
       CoedgeId before = k.radial_prev(p.d);
       while (was_taken(before)) before = k.radial_prev(before);
       pair.uses.push_back({p.d, p.c, before == p.c});
       taken.push_back(p.d);
     }
-    // In the order of the loop that goes.
-    if (flipped) std::reverse(pair.uses.begin(), pair.uses.end());
   }
   for (std::size_t i = 0; i < points_f.size(); ++i) x.loops.push_back({points_g[i], points_f[i], {}});
   op.make(x);

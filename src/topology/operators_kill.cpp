@@ -105,6 +105,17 @@ bool parts_two_agreeing_faces(const Complex& k, EdgeId e) {
 
 /// Would the faces of the edge's two uses, made one, have a vertex that is a loop and also in another loop?
 bool merges_double_corner(const Complex& k, const AcrossChange& x) {
+  if (!x.from.valid()) {
+    // Both loops are this edge alone and become its vertex.
+    for (const FaceId f : {x.face, x.new_face}) {
+      for (const LoopId l : k.loops(f)) {
+        for (const CoedgeId c : k.coedges(l)) {
+          if (c != x.ahead && c != x.back && k.start(c) == x.vertex) return true;
+        }
+        if (k.loop_vertex(l) == x.vertex) return true;
+      }
+    }
+  }
   for (const FaceId f : {x.face, x.new_face}) {
     const FaceId other = f == x.face ? x.new_face : x.face;
     for (const LoopId l : k.loops(f)) {

@@ -112,36 +112,6 @@ Result<std::vector<LoopPlacement>> place(const Complex& k, const FaceSpec& spec,
   return loops;
 }
 
-/// After a division: every wire at the new face's region has an end only where its region is.
-Status check_wires(const Complex& k, const FaceChange& face) {
-  for (const RegionId r : {face.region, face.division.region}) {
-    if (!r.valid()) continue;
-    for (const ShellId s : k.shells(r)) {
-      for (const EdgeId e : k.wires(s)) {
-        for (const VertexId v : {k.start(e), k.end(e)}) {
-          bool has_side = false, has_own = false, strays = false;
-          for_each_item_at(k, v, [&](Item item) {
-            const RegionId at = region_of(k, item);
-            if (item.kind == Item::Kind::side) {
-              has_side = true;
-              has_own = has_own || at == r;
-            } else {
-              strays = strays || at != r;
-            }
-          });
-          if (has_side ? !has_own : strays) {
-            return Error{
-                errors::cuts_wire,
-                name_of(e) + " would pass through the new face: at " + name_of(v) + " it is not in " + name_of(r),
-                {e, v, r}};
-          }
-        }
-      }
-    }
-  }
-  return {};
-}
-
 Status check_others(const Complex& k, const FaceSpec& spec, RegionId r) {
   for (const Item item : spec.division.others) {
     const bool live = item.kind == Item::Kind::side ? k.is_live(item.side().face())
@@ -232,7 +202,7 @@ Result<Applied> m_f(Complex& k, const FaceSpec& spec) {
     if (k.region(FaceUse(made.face, 1 - d.side)) != r) {
       return wrong("what should go into the new region is connected with what stays outside", {made.face});
     }
-    ARESTA_CHECK(check_wires(k, made));
+    ARESTA_CHECK(require_regions_meet(k, d.region));
   } else if (!d.others.empty()) {
     return wrong("the face closes nothing off, so that there is no new region for anything to go into", {});
   }

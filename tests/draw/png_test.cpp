@@ -133,6 +133,21 @@ TEST(Png, EdgesInFrontAreDrawnAndBehindAreNot) {
   EXPECT_TRUE(reddish(image_of(scene, options).at(50, 30)));
 }
 
+TEST(Png, EdgesJustBehindAForeignFaceAreNotDrawn) {
+  Scene scene;
+  add_sheet(scene, -3, 3, 0, red);
+  test::add_edge(scene, {{-4, 0.1, -1}, {4, 0.1, -1}});                 // a pixel behind: row 60
+  test::add_edge(scene, {{-4, 0.01, 1}, {4, 0.01, 1}});                 // a tenth of a pixel: row 40
+  test::add_edge(scene, {{1, 0.1, -2.5}, {1, 0.1, 2.5}}, {FaceId(0)});  // a pixel behind its own face: column 60
+  RenderOptions options = front_options();
+  options.edge_width = 2;
+  const Image image = image_of(scene, options);
+  EXPECT_TRUE(dark(image.at(12, 60)));
+  for (const int x : {25, 40, 50, 75}) EXPECT_TRUE(reddish(image.at(x, 60))) << x;
+  for (const int x : {25, 40, 50, 75}) EXPECT_TRUE(dark(image.at(x, 40))) << x;
+  EXPECT_TRUE(dark(image.at(60, 50)));
+}
+
 TEST(Png, SmoothEdgesAreNotDrawn) {
   Scene scene;
   add_sheet(scene, -3, 3, 0, red);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "construct/primitives.h"
+#include "model/check.h"
 #include "model/copy.h"
 #include "model/measure.h"
 
@@ -89,6 +90,45 @@ TEST(Fragment, OneOperandIsItsOwnFragment) {
   const Fragment f = take(fragment({a}, {}, {}));
   EXPECT_EQ(f.model->topology().face_count(), a->topology().face_count());
   EXPECT_NEAR(*total_volume(*f.model), 4 * std::numbers::pi / 3, 1e-10);
+}
+
+/// The same model; the curved sides' surfaces begin `angle` before their seams, as files write them.
+ModelPtr with_turned_sides(const Model& model, double angle) {
+  GeometryChanges changes;
+  const Complex& k = model.topology();
+  for (const FaceId f : k.faces()) {
+    const auto* side = model.surface(f).get_if<Cylinder>();
+    if (side == nullptr) continue;
+    Cylinder turned = *side;
+    turned.frame.x = std::cos(angle) * side->frame.x - std::sin(angle) * side->frame.y;
+    turned.frame.y = std::sin(angle) * side->frame.x + std::cos(angle) * side->frame.y;
+    changes.surfaces.emplace(f, GeometryChanges::NewSurface{turned});
+    for (const LoopId l : k.loops(f)) {
+      for (const CoedgeId c : k.coedges(l)) changes.images.emplace(c, model.pcurve(c)->translated({angle, 0}));
+    }
+  }
+  return take(with_geometry(model, changes));
+}
+
+TEST(Fragment, CoincidentSidesAreOneWhereverTheirSeamsAre) {
+  // Two equal rods. Seams at one place: a side and two ends. Apart: the side is two pieces.
+  const double pi = std::numbers::pi;
+  const auto rod = [](double turn) { return take(cylinder(1, 4, {}, {1, turn})); };
+  const ModelPtr inner = rod(0);
+  ASSERT_TRUE(require_valid(*with_turned_sides(*inner, pi), CheckLevel::full).ok());
+  for (const double turn : {0.0, 60.0, 180.0}) {
+    for (const double angle : {0.0, 1.0, pi}) {
+      const ModelPtr other = with_turned_sides(*rod(turn), angle);
+      const Fragment f = take(fragment({with_turned_sides(*inner, pi), other}, {}, {}));
+      EXPECT_EQ(f.model->regions().size(), 1u) << turn << " " << angle;
+      EXPECT_EQ(f.model->topology().face_count(), turn == 0 ? 3u : 4u) << turn << " " << angle;
+      EXPECT_NEAR(*total_volume(*f.model), 4 * pi, 1e-9);
+      const ModelPtr block_around = take(block(4, 4, 4, {-2, -2, 0}));
+      const Fragment nested = take(fragment({block_around, with_turned_sides(*inner, pi), other}, {}, {}));
+      EXPECT_EQ(nested.model->regions().size(), 2u) << turn << " " << angle;
+      EXPECT_TRUE(require_valid(*nested.model, CheckLevel::full).ok());
+    }
+  }
 }
 
 /// An engine that forgets a face: the checks above it must notice.

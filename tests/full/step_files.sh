@@ -12,7 +12,7 @@ cases=0 wrong=0 refused=0
 for file in "$data"/*; do
   name=$(basename "$file")
   # A quick run takes the smallest files.
-  if [ "$ARESTA_SCALE" != 1 ] && [ "$(wc -c <"$file")" -gt 12000 ]; then continue; fi
+  if [ "$ARESTA_SCALE" != 1 ] && [ "$(wc -c <"$file")" -gt 30000 ]; then continue; fi
   cases=$((cases + 1))
   cat >"$OUT/run.ars" <<SCRIPT
 whole = import_file("$file")

@@ -36,7 +36,7 @@ struct Fused {
 Fused fuse(std::initializer_list<TopoDS_Shape> shapes, double tolerance = 0) {
   Operands operands;
   for (const TopoDS_Shape& shape : shapes) operands.push_back(model_of(shape));
-  auto result = general_fuse(operands, tolerance);
+  auto result = general_fuse(*side_by_side(operands), tolerance);
   if (!result.ok()) {
     ADD_FAILURE() << text(result.error());
     return {};
@@ -250,7 +250,7 @@ TEST(GeneralFuse, ToleranceClosesAGap) {
 
 TEST(GeneralFuse, ThinnerThanTheToleranceIsRefused) {
   const Operands operands{model_of(box(0, 0, 0, 1, 1, 1e-5)), model_of(box(0, 0, 0, 1, 1, 1))};
-  auto result = general_fuse(operands, 1e-4);
+  auto result = general_fuse(*side_by_side(operands), 1e-4);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, errors::general_fuse_failed);
   EXPECT_FALSE(result.error().entities.empty() && !result.error().place.has_value()) << text(result.error());
@@ -266,7 +266,7 @@ TEST(GeneralFuse, CancelsWhenAsked) {
     ++reports;
     if (fraction > 0.2) stop = true;
   };
-  auto result = general_fuse(operands, 0, context);
+  auto result = general_fuse(*side_by_side(operands), 0, context);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, errors::cancelled);
   EXPECT_GT(reports, 1);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <queue>
+#include <set>
 
 #include "topology/item.h"
 
@@ -121,6 +122,13 @@ std::optional<FaceSpec> RandomOperators::any_face(const Complex& k) {
   if (chance(8)) {
     const auto vertices = list<VertexId>(k.vertices());
     spec.circuits.push_back({{}, vertices[below(vertices.size())]});
+  }
+  // A face that uses an edge twice in one sense has one side only; closed, it would have no place in space.
+  std::set<std::pair<EdgeId, bool>> used;
+  for (const Circuit& c : spec.circuits) {
+    for (const EdgeUseSpec& use : c.uses) {
+      if (!used.emplace(use.edge, use.reversed).second) return {};
+    }
   }
   return spec;
 }

@@ -33,9 +33,9 @@ struct StepParts {
 
 /// extern "C" aresta_step_read and aresta_step_write. `length_unit`: metres per unit of the shapes. Names of faces,
 /// edges and vertices are asked for only in files of our own: in others the library can crash on entities it does not
-/// know.
-using StepReadFunction = Result<StepContents> (*)(const std::string& data, bool subshape_names, double length_unit,
-                                                  const Context& context);
-using StepWriteFunction = Result<std::string> (*)(const StepParts& parts, const Context& context);
+/// know. The result is given back through the last argument: a function of C returns no class.
+using StepReadFunction = void (*)(const std::string& data, bool subshape_names, double length_unit,
+                                  const Context& context, Result<StepContents>* contents);
+using StepWriteFunction = void (*)(const StepParts& parts, const Context& context, Result<std::string>* text);
 
 }  // namespace aresta

@@ -225,8 +225,8 @@ Result<StepContents> read(const std::string& data, bool subshape_names, double l
 
 }  // namespace aresta
 
-extern "C" aresta::Result<aresta::StepContents> aresta_step_read(const std::string& data, bool subshape_names,
-                                                                 double length_unit, const aresta::Context& context) {
-  return aresta::guarded(aresta::errors::bad_content, "the STEP file cannot be read",
-                         [&] { return aresta::read(data, subshape_names, length_unit, context); });
+extern "C" void aresta_step_read(const std::string& data, bool subshape_names, double length_unit,
+                                 const aresta::Context& context, aresta::Result<aresta::StepContents>* contents) {
+  *contents = aresta::guarded(aresta::errors::bad_content, "the STEP file cannot be read",
+                              [&] { return aresta::read(data, subshape_names, length_unit, context); });
 }

@@ -159,8 +159,8 @@ Result<std::string> write(const StepParts& parts, const Context& context) {
 
 }  // namespace aresta
 
-extern "C" aresta::Result<std::string> aresta_step_write(const aresta::StepParts& parts,
-                                                         const aresta::Context& context) {
-  return aresta::guarded(aresta::errors::export_failed, "the STEP file cannot be written",
-                         [&] { return aresta::write(parts, context); });
+extern "C" void aresta_step_write(const aresta::StepParts& parts, const aresta::Context& context,
+                                  aresta::Result<std::string>* text) {
+  *text = aresta::guarded(aresta::errors::export_failed, "the STEP file cannot be written",
+                          [&] { return aresta::write(parts, context); });
 }

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/image.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aresta {
+
+namespace {
+
+constexpr int most_spans = 512;
+constexpr double unit_speed = 1e-6;
+
+class ImageFinder {
+ public:
+  ImageFinder(const Surface& surface, const Curve& curve, Range range, const std::function<Vec2(double)>& near,
+              double tolerance)
+      : surface_(surface), curve_(curve), range_(range), near_(near), tolerance_(tolerance) {}
+
+  std::optional<CurveImage> run() {
+    if (!(range_.low < range_.high) || !std::isfinite(range_.length())) return std::nullopt;
+    if (auto straight = line()) return straight;
+    for (int spans = 4; spans <= most_spans; spans *= 2) {
+      const auto image = hermite(spans);
+      if (!image) return std::nullopt;
+      if (const auto off = deviation(*image, spans)) return CurveImage{*image, *off};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  Vec2 foot(double t) const {
+    const Vec3 p = curve_.point(t);
+    const Vec2 hint = near_(t);
+    SurfaceProjection q = surface_.project(p, &hint);
+    if (q.distance <= tolerance_) return q.uv;
+    // A free-form search from a poor hint may have stopped early.
+    q = surface_.project(p);
+    const Vec2 period = surface_.period();
+    if (period.x > 0) q.uv.x += period.x * std::round((hint.x - q.uv.x) / period.x);
+    if (period.y > 0) q.uv.y += period.y * std::round((hint.y - q.uv.y) / period.y);
+    return q.uv;
+  }
+
+  std::optional<CurveImage> line() const {
+    // Ends may be where the surface has no unique parameters: the direction is taken well inside.
+    const double s = range_.at(0.25), t = range_.at(0.75);
+    const Vec2 a = foot(s), d = (foot(t) - a) / (t - s);
+    if (!(std::abs(norm(d) - 1) <= unit_speed)) return std::nullopt;
+    const Vec2 unit = d / norm(d);
+    const Curve2 image(Line2{a - s * unit, unit});
+    const auto off = deviation(image, 4);
+    if (!off) return std::nullopt;
+    return CurveImage{image, *off};
+  }
+
+  struct Knot {
+    Vec2 uv, d;
+  };
+
+  /// The exact image's point and derivative; nothing where the surface is singular and nothing is near.
+  std::optional<Knot> knot(double t) const {
+    const CurveJet c = curve_.jet(t);
+    Vec2 uv = foot(t);
+    SurfaceJet s = surface_.jet(uv);
+    const double uu = dot(s.du, s.du), uv_ = dot(s.du, s.dv), vv = dot(s.dv, s.dv);
+    const double determinant = uu * vv - uv_ * uv_;
+    const double larger = std::max(uu, vv);
+    if (!(determinant > 1e-14 * larger * larger)) return std::nullopt;
+    const double ru = dot(c.d1, s.du), rv = dot(c.d1, s.dv);
+    return Knot{uv, {(vv * ru - uv_ * rv) / determinant, (uu * rv - uv_ * ru) / determinant}};
+  }
+
+  std::optional<Curve2> hermite(int spans) const {
+    std::vector<std::optional<Knot>> knots;
+    NurbsCurve2Data data;
+    data.degree = 3;
+    for (int i = 0; i <= spans; ++i) {
+      const double t = i == spans ? range_.high : range_.at(static_cast<double>(i) / spans);
+      data.knots.push_back(t);
+      data.multiplicities.push_back(i == 0 || i == spans ? 4 : 2);
+      knots.push_back(knot(t));
+      if (!knots.back() && i != 0 && i != spans) return std::nullopt;
+    }
+    // At a pole the image ends where it is said to; it comes in straight.
+    for (const std::size_t end : {std::size_t{0}, static_cast<std::size_t>(spans)}) {
+      if (knots[end]) continue;
+      const std::size_t next = end == 0 ? 1 : end - 1;
+      if (!knots[next]) return std::nullopt;
+      const double t = data.knots[end];
+      knots[end] = Knot{near_(t), knots[next]->d};
+    }
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+      const Knot& k = *knots[i];
+      if (i > 0) data.poles.push_back(k.uv - (data.knots[i] - data.knots[i - 1]) / 3 * k.d);
+      if (i == 0 || i + 1 == knots.size()) {
+        data.poles.insert(i == 0 ? data.poles.begin() : data.poles.end(), k.uv);
+      }
+      if (i + 1 < knots.size()) data.poles.push_back(k.uv + (data.knots[i + 1] - data.knots[i]) / 3 * k.d);
+    }
+    auto made = FreeCurve2::from_nurbs(data);
+    if (!made.ok()) return std::nullopt;
+    return Curve2(*made);
+  }
+
+  std::optional<double> deviation(const Curve2& image, int spans) const {
+    double most = 0;
+    for (int i = 0; i <= 4 * spans; ++i) {
+      const double t = i == 4 * spans ? range_.high : range_.at(i / (4.0 * spans));
+      const double off = distance(surface_.point(image.point(t)), curve_.point(t));
+      if (!(off <= tolerance_)) return std::nullopt;
+      most = std::max(most, off);
+    }
+    return most;
+  }
+
+  const Surface& surface_;
+  const Curve& curve_;
+  Range range_;
+  const std::function<Vec2(double)>& near_;
+  double tolerance_;
+};
+
+}  // namespace
+
+std::optional<CurveImage> image_on(const Surface& surface, const Curve& curve, Range range,
+                                   const std::function<Vec2(double)>& near, double tolerance) {
+  return ImageFinder(surface, curve, range, near, tolerance).run();
+}
+
+}  // namespace aresta
