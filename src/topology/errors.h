@@ -17,6 +17,15 @@ inline constexpr ErrorCode would_pinch{307, "topology.would_pinch"};      ///< t
 inline constexpr ErrorCode senses_disagree{308, "topology.senses_disagree"};  ///< orientations do not fit
 inline constexpr ErrorCode cuts_wire{309, "topology.cuts_wire"};              ///< a wire would pass through a face
 
+// Reading and writing.
+inline constexpr ErrorCode bad_dump{310, "topology.dump"};                      ///< not of the grammar
+inline constexpr ErrorCode dump_version{311, "topology.dump_version"};          ///< of a version that is not known
+inline constexpr ErrorCode record_ids{312, "topology.record_ids"};              ///< too large, used twice or unknown
+inline constexpr ErrorCode record_invariant{313, "topology.record_invariant"};  ///< what no complex can be
+inline constexpr ErrorCode dump_differs{314, "topology.dump_not_canonical"};    ///< sound, but not as dump() writes it
+inline constexpr ErrorCode bad_notation{315, "topology.notation"};              ///< not of the grammar
+inline constexpr ErrorCode notation_model{316, "topology.notation_model"};  ///< unknown names, no order given, no model
+
 inline constexpr ErrorCode no_space{320, "topology.no_space"};  ///< cannot be laid out in space
 
 }  // namespace aresta::errors

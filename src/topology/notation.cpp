@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "topology/assemble.h"
+#include "topology/check.h"
 #include "topology/lexer.h"
 
 namespace aresta {
@@ -492,7 +493,10 @@ class Builder {
 Result<Complex> parse_notation(std::string_view text) {
   ARESTA_TRY(const Lines lines, Reader(text).run());
   ARESTA_TRY(const Incidence incidence, Builder(lines).run());
-  return assemble(incidence);
+  ARESTA_TRY(Complex k, assemble(incidence));
+  const auto findings = check_structure(k, StructureLevel::shells);
+  if (!findings.empty()) return Error{errors::notation_model, describe(findings.front())};
+  return k;
 }
 
 }  // namespace aresta

@@ -41,13 +41,9 @@
 
 #include "base/result.h"
 #include "topology/complex.h"
+#include "topology/errors.h"
 
 namespace aresta {
-
-namespace errors {
-inline constexpr ErrorCode bad_notation{315, "topology.notation"};          ///< not of the grammar
-inline constexpr ErrorCode notation_model{316, "topology.notation_model"};  ///< no model: unknown names, no order given
-}  // namespace errors
 
 /// Any bytes may come; errors say the line. n log n.
 Result<Complex> parse_notation(std::string_view text);

@@ -6,14 +6,9 @@
 
 #include "base/result.h"
 #include "topology/complex.h"
+#include "topology/errors.h"
 
 namespace aresta {
-
-namespace errors {
-inline constexpr ErrorCode bad_dump{310, "topology.dump"};                    ///< not of the grammar
-inline constexpr ErrorCode dump_version{311, "topology.dump_version"};        ///< of a version that is not known
-inline constexpr ErrorCode dump_differs{314, "topology.dump_not_canonical"};  ///< sound, but not as dump() writes it
-}  // namespace errors
 
 /// The exact inverse of dump: what is read gives the same text again, blanks and comments apart, with the same ids and
 /// gaps. Any bytes may come: whatever is not the dump of a valid complex is refused with its line, with what was

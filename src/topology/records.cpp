@@ -76,7 +76,11 @@ class Rebuilder {
     ARESTA_CHECK(check_uses());
     ARESTA_CHECK(place_items());
     ARESTA_CHECK(check_sectors());
+    meetings_ = find_meetings();
+    ARESTA_CHECK(check_wires());
     ARESTA_CHECK(check_shells());
+    ARESTA_CHECK(check_regions());
+    ARESTA_CHECK(check_vertex_loops());
     return build();
   }
 
@@ -308,9 +312,15 @@ class Rebuilder {
   }
 
   /// What meets at a vertex in one region is connected.
-  std::vector<std::tuple<VertexId, RegionId, std::uint32_t>> meetings() const {
-    std::vector<std::tuple<VertexId, RegionId, std::uint32_t>> result;
-    const auto meet = [&](VertexId v, std::uint32_t number) { result.emplace_back(v, region(number), number); };
+  struct Meeting {
+    VertexId vertex;
+    RegionId region;
+    std::uint32_t item;
+    auto operator<=>(const Meeting&) const = default;
+  };
+  std::vector<Meeting> find_meetings() const {
+    std::vector<Meeting> result;
+    const auto meet = [&](VertexId v, std::uint32_t number) { result.push_back({v, region(number), number}); };
     for (std::uint32_t c = 0; c < in_.coedges.size(); ++c) {
       for (const bool after : {false, true}) meet(start(in_.coedges[c]), side_item(c, after));
     }
@@ -327,13 +337,64 @@ class Rebuilder {
     return result;
   }
 
+  /// A wire lies in a region that its ends touch: there with a side of a face, or else with all wires there.
+  Status check_wires() const {
+    const auto is_side = [&](const Meeting& m) { return m.item < edge_item(0); };
+    for (std::size_t i = 0, j; i < meetings_.size(); i = j) {
+      const VertexId v = meetings_[i].vertex;
+      bool has_face = false;
+      for (j = i; j < meetings_.size() && meetings_[j].vertex == v; ++j) has_face = has_face || is_side(meetings_[j]);
+      // Sides come before wires of their region.
+      const Meeting* first = &meetings_[i];
+      for (std::size_t n = i; n < j; ++n) {
+        const Meeting& m = meetings_[n];
+        if (has_face && m.region != first->region) first = &m;
+        if (is_side(m) || (m.region == first->region && (!has_face || is_side(*first)))) continue;
+        const EdgeId e = item(m.item).wire();
+        const std::string other = has_face ? ", which no face has a side in at " : ", unlike another wire at ";
+        return broken(in_.edges[m.item - edge_item(0)].line, name(e) + " is in " + name(m.region) + other + name(v),
+                      {e, v, m.region});
+      }
+    }
+    return {};
+  }
+
+  Status check_regions() const {
+    std::vector<bool> has_shell(in_.regions.size(), false);
+    for (const auto& shell : in_.shells) has_shell[regions_.find(shell.region)] = true;
+    for (std::size_t r = 0; r < in_.regions.size(); ++r) {
+      const RegionId id = in_.regions[r].id;
+      if (has_shell[r] || id == Complex::infinite_region()) continue;
+      return broken(in_.regions[r].line, name(id) + " has no shell, which only the infinite region may lack", {id});
+    }
+    return {};
+  }
+
+  /// A vertex that is a loop of a face is in no other loop of it.
+  Status check_vertex_loops() const {
+    std::vector<std::tuple<std::uint32_t, VertexId, bool>> uses;  // of vertices by faces; false: as a loop
+    for (const auto& loop : in_.loops) {
+      if (loop.vertex.valid()) uses.emplace_back(loop.face, loop.vertex, false);
+    }
+    if (uses.empty()) return {};
+    for (const auto& coedge : in_.coedges) uses.emplace_back(in_.loops[coedge.loop].face, start(coedge), true);
+    std::sort(uses.begin(), uses.end());
+    for (std::size_t i = 1; i < uses.size(); ++i) {
+      const auto& [face, vertex, in_edges] = uses[i];
+      const auto& [other_face, other_vertex, in_other_edges] = uses[i - 1];
+      if (face != other_face || vertex != other_vertex || in_other_edges) continue;
+      const FaceId f = in_.faces[face].id;
+      return broken(in_.faces[face].line, name(vertex) + " is a loop of " + name(f) + " and in another loop of it too",
+                    {f, vertex});
+    }
+    return {};
+  }
+
   Status check_shells() const {
     UnionFind sets(item_count());
-    const auto met = meetings();
-    for (std::size_t i = 1; i < met.size(); ++i) {
-      const auto& [v, r, number] = met[i];
-      const auto& [w, q, before] = met[i - 1];
-      if (v == w && r == q) sets.unite(before, number);
+    for (std::size_t i = 1; i < meetings_.size(); ++i) {
+      const Meeting &a = meetings_[i - 1], &b = meetings_[i];
+      if (a.vertex == b.vertex && a.region == b.region) sets.unite(a.item, b.item);
     }
     std::vector<std::uint32_t> root_of_shell(in_.shells.size(), none), shell_of_root(item_count(), none);
     for (std::uint32_t number = 0; number < item_count(); ++number) {
@@ -404,6 +465,7 @@ class Rebuilder {
   std::vector<std::uint32_t> radial_;  ///< per coedge: the next about its edge
   std::vector<bool> is_wire_;          ///< per edge
   std::vector<std::uint32_t> shell_;   ///< per item
+  std::vector<Meeting> meetings_;      ///< sorted
 };
 
 }  // namespace

@@ -7,14 +7,10 @@
 
 #include "base/result.h"
 #include "topology/complex.h"
+#include "topology/errors.h"
 #include "topology/item.h"
 
 namespace aresta {
-
-namespace errors {
-inline constexpr ErrorCode record_ids{312, "topology.record_ids"};  ///< an id that is too large, used twice or unknown
-inline constexpr ErrorCode record_invariant{313, "topology.record_invariant"};  ///< what no complex can be
-}  // namespace errors
 
 /// Flat lists. Members of type std::uint32_t that are not lines are places in other lists. Loops of a face, coedges of
 /// a loop, uses of an edge and items of a shell are listed one after another, so that these places grow.
@@ -84,7 +80,9 @@ constexpr std::size_t id_limit(std::size_t records) {
 
 /// The complex with these ids. Every invariant of complex.h is checked: ids are unique and known; loops close; the uses
 /// of an edge are its coedges, once each; every side, wire and isolated vertex, and nothing else, lies in one shell;
-/// sides of one sector are in one region; a shell is what is connected in its region; region 0 is there and not filled.
+/// sides of one sector are in one region, and so are a wire and what it hangs on; a shell is what is connected in its
+/// region; region 0 is there and not filled, any other has a shell; a vertex loop meets no other loop of its face. What
+/// must hold in space besides (check.h, full) is not asked for.
 /// Errors: record_ids, record_invariant; both say the line and name the entities. n log n.
 Result<Complex> rebuild(const ComplexRecords& records);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/properties.h"
 
+#include "topology/check.h"
 #include "topology/dump.h"
 #include "topology/dump_json.h"
 #include "topology/notation.h"
@@ -17,6 +18,8 @@ Verdict judge(const Result<Complex>& k) {
     }
     return {};
   }
+  const auto findings = check_structure(*k, StructureLevel::shells);
+  if (!findings.empty()) return {true, "the checker finds: " + describe(findings.front())};
   const std::string text = dump(*k), json = dump_json(*k);
   const auto from_text = parse_dump(text);
   if (!from_text.ok()) return {true, "its dump is refused: " + from_text.error().to_line()};

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <random>
 
+#include "catalogue.h"
 #include "small_models.h"
 #include "topology/change.h"
+#include "topology/check.h"
 #include "topology/dump.h"
 #include "topology/dump_json.h"
 #include "topology/editor.h"
@@ -18,6 +20,13 @@
 
 namespace aresta {
 namespace {
+
+/// The small models and the catalogue.
+std::vector<CatalogueModel> models() {
+  std::vector<CatalogueModel> result = catalogue();
+  for (const SmallModel& model : small_models()) result.push_back({model.name, *parse_notation(model.text)});
+  return result;
+}
 
 template <class List>
 void shuffle(List& list, std::mt19937& random) {
@@ -85,8 +94,8 @@ void reattach(Complex& k, std::mt19937& random) {
 
 TEST(Canonical, OrderAndStartOfListsDoNotShow) {
   std::mt19937 random(7);
-  for (const SmallModel& model : small_models()) {
-    const Complex k = *parse_notation(model.text);
+  for (const CatalogueModel& model : models()) {
+    const Complex& k = model.complex;
     const std::string text = dump(k), json = dump_json(k);
     for (int i = 0; i < 20; ++i) {
       auto other = rebuild(records_of(k, random));
@@ -99,18 +108,20 @@ TEST(Canonical, OrderAndStartOfListsDoNotShow) {
 }
 
 TEST(Canonical, DumpsAreReadBackExactly) {
-  for (const SmallModel& model : small_models()) {
-    const std::string text = dump(*parse_notation(model.text));
+  for (const CatalogueModel& model : models()) {
+    const std::string text = dump(model.complex);
     const auto again = parse_dump(text);
     ASSERT_TRUE(again.ok()) << model.name << ": " << again.error().to_line();
     EXPECT_EQ(dump(*again), text) << model.name;
+    const auto findings = check_structure(*again);
+    EXPECT_TRUE(findings.empty()) << model.name << ": " << describe(findings.front());
   }
 }
 
 /// Makes changes and takes some back, so that ids are left out.
 TEST(Canonical, GapsStayWhereChangesWereTakenBack) {
-  for (const SmallModel& model : small_models()) {
-    Complex k = *parse_notation(model.text);
+  for (const CatalogueModel& model : models()) {
+    Complex k = model.complex;
     const std::string before = dump(k);
     const std::size_t edge_bound = k.edge_bound();
     std::vector<Change> points, wires;
@@ -147,7 +158,7 @@ TEST(Canonical, GapsAreFilledAfterReading) {
       "-e3\n");
   ASSERT_TRUE(k.ok()) << k.error().to_line();
   std::vector<Change> changes;
-  for (int i = 0; i < 6; ++i) make(*k, changes.emplace_back(PointChange{VertexId(), RegionId(0)}));
+  for (int i = 0; i < 6; ++i) make(*k, changes.emplace_back(Change{PointChange{VertexId(), RegionId(0)}}));
   EXPECT_EQ(k->vertex_bound(), 8u);
   EXPECT_EQ(k->vertex_count(), 8u);
   Change wanted{WireChange{EdgeId(1), VertexId(0), VertexId(7), RegionId(0)}};

@@ -121,6 +121,9 @@ TEST(Notation, RefusesWithLineAndReason) {
       {"region r filled: -f", notation_model, "line 1: there is no face '-f'"},
       {"f: a b c\nregion r filled: -f\nregion s filled: +f", notation_model,
        "line 3: '+f' is joined to sides of region 'r'"},
+      {"f: a b c | a", notation_model, "Vertex 0 is loop 1 of face 0 and is in loop 0 of it too."},
+      {"f: a b c\nregion r filled: -f\ng: d\nregion s filled: -g\nwire a d in s", notation_model,
+       "Edge 3 lies in region 2, which no face at its vertex 0 touches."},
   };
   for (const Case& c : cases) {
     const auto k = parse_notation(c.text);

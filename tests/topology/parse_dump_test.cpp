@@ -102,6 +102,12 @@ TEST(ParseDump, RefusesWithLineAndReason) {
       {"+f4 -f4 e12\n  shell v9\nregion r3: filled\n  shell v7\n",
        "+f4 e12\n  shell v9\nregion r3: filled\n  shell -f4\n  shell v7\n", record_invariant,
        "line 14: the sector from c5 to c5 about e6 is in two regions: -f4 in r3, +f4 in r0"},
+      {"  shell v7\n", "region r5: filled\n  shell v7\n", record_invariant,
+       "line 6: r3 has no shell, which only the infinite region may lack"},
+      {"+f4 -f4 e12\n  shell v9\nregion r3: filled\n", "+f4 -f4\n  shell v9\nregion r3: filled\n  shell e12\n",
+       record_invariant, "line 16: e12 is in r3, which no face has a side in at v3"},
+      {"loop l7: v5", "loop l7: v3\n  loop l9: v5", record_invariant,
+       "line 8: v3 is a loop of f4 and in another loop of it too"},
 
       {"r3: filled", "r3: infinite", dump_differs, "line 6: 'empty' is expected, not 'infinite'"},
       {"front r0", "front r3", dump_differs, "line 8: 'r0' is expected, not 'r3'"},
@@ -118,6 +124,23 @@ TEST(ParseDump, RefusesWithLineAndReason) {
     EXPECT_EQ(k.error().message, c.message);
     EXPECT_EQ(k.error().code, c.code) << c.message;
   }
+}
+
+TEST(ParseDump, RefusesWiresThatMeetInTwoRegions) {
+  const auto k = parse_dump(R"(aresta complex 1
+region r0: infinite
+  shell e0
+region r1: empty
+  shell e1
+edge e0: v0 to v1, wire in r0
+edge e1: v1 to v2, wire in r1
+vertex v0: +e0
+vertex v1: -e0 +e1
+vertex v2: -e1
+)");
+  ASSERT_FALSE(k.ok());
+  EXPECT_EQ(k.error().message, "line 7: e1 is in r1, unlike another wire at v1");
+  EXPECT_EQ(k.error().code, errors::record_invariant);
 }
 
 }  // namespace
