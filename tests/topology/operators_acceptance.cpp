@@ -5,6 +5,7 @@
 //
 // Prints how often which sub-case happened, was refused or left a complex without a place in space, what is wrong, and
 // last a line of figures. The status is 1 when anything is wrong.
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <set>
@@ -53,7 +54,7 @@ int main(int argument_count, char** arguments) {
   std::cout << tally.histogram();
   const auto unreached = missing(tally);
   for (const std::string& name : unreached) std::cout << "not reached: " << name << "\n";
-  std::size_t rows = operator_cases().size() - 2;
+  const std::size_t rows = operator_cases().size() - 2;
   std::cout << "operators: seed " << first_seed << ", cases " << tally.applied << ", wrong " << wrong << ", refused "
             << tally.refused << ", skipped 0, coverage: " << runs << " runs from " << std::min(runs, models.size())
             << " models, " << rows - unreached.size() << " of " << rows << " listed sub-cases and "
