@@ -386,6 +386,7 @@ void Editor::smaller_first(ShellId& a, ShellId& b) const {
 
 void Editor::merge_shells(ShellId a, ShellId b) {
   smaller_first(a, b);
+  // The record is read anew each time: where a copy of the complex shares its page, the first change moves it.
   while (k_.shells_[a.index()].first_face_use != no_row) {
     const Item item = FaceUse::from_index(k_.shells_[a.index()].first_face_use);
     take(item);

@@ -149,7 +149,8 @@ Result<Applied> mm_e(Complex& k, Corner from, Corner to, std::span<const LoopId>
 Result<Applied> k_v(Complex& k, VertexId v);
 
 /// An edge. A wire goes alone; an edge used twice by one loop leaves two loops; one between two faces of agreeing
-/// orientation leaves one face (`kept`, or the one with more edges, else the smaller id); otherwise its faces go too.
+/// orientation leaves one face (`kept`, else the smaller id; never one of which the edge is all of a loop while it is
+/// not of the other); otherwise its faces go too.
 Result<Applied> k_e(Complex& k, EdgeId e, FaceId kept = {});
 
 /// A face; its edges stay, those without another face as wires. Two regions at its sides become one: `kept`, or the

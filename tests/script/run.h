@@ -23,10 +23,10 @@ struct Ran {
 };
 
 inline Ran run_text(const std::string& text, document::Digits digits = document::Digits::shortest,
-                    const std::atomic<bool>* cancel = nullptr) {
+                    const std::atomic<bool>* cancel = nullptr, const document::Registry& registry = language()) {
   Ran ran;
   document::Session session;
-  session.registry = &language();
+  session.registry = &registry;
   session.digits = digits;
   session.context.cancel = cancel;
   session.print = [&ran](const std::string& s) -> Status {

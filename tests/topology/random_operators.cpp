@@ -195,8 +195,7 @@ Result<Applied> RandomOperators::one(Complex& k) {
     }
     case 8: {
       const FaceId f = face();
-      if (!f.valid()) return mm_vl(k, f);
-      if (chance(40)) {
+      if (!f.valid() || chance(40)) {
         tried_ = "MM_VL";
         note("f", f);
         return mm_vl(k, f);
