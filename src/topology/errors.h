@@ -17,6 +17,10 @@ inline constexpr ErrorCode would_pinch{307, "topology.would_pinch"};      ///< t
 inline constexpr ErrorCode senses_disagree{308, "topology.senses_disagree"};  ///< orientations do not fit
 inline constexpr ErrorCode cuts_wire{309, "topology.cuts_wire"};              ///< a wire would pass through a face
 
+inline constexpr ErrorCode unknown_attribute{330, "topology.unknown_attribute"};  ///< no attribute of this name
+inline constexpr ErrorCode wrong_value{331, "topology.wrong_value"};              ///< of another kind than declared
+inline constexpr ErrorCode bad_rule{332, "topology.bad_rule"};                    ///< does not suit the attribute
+
 inline constexpr ErrorCode no_space{320, "topology.no_space"};  ///< cannot be laid out in space
 
 }  // namespace aresta::errors
