@@ -386,8 +386,8 @@ void Editor::smaller_first(ShellId& a, ShellId& b) const {
 
 void Editor::merge_shells(ShellId a, ShellId b) {
   smaller_first(a, b);
-  const auto& record = k_.shells_[a.index()];
-  while (record.first_face_use != no_row) {
+  // Read anew each time: a write may have moved the row to a page of its own.
+  while (k_.shells_[a.index()].first_face_use != no_row) {
     const Item item = FaceUse::from_index(k_.shells_[a.index()].first_face_use);
     take(item);
     put(item, b);
