@@ -517,7 +517,7 @@ class Maker {
     }
     std::sort(items.begin(), items.end());
     items.erase(std::unique(items.begin(), items.end()), items.end());
-    const RegionId old = region_of(k_, items.front());
+    const RegionId old = d.of = region_of(k_, items.front());
     d.region = edit_.make_region(d.filled, d.region);
     edit_.move_to_region(items, d.region);
     if (d.extent == Division::Extent::found) follow(items, old, d.side == 1 ? a : b, d.region);

@@ -52,6 +52,7 @@ struct Division {
     nothing  ///< nothing is divided, even where sides are not connected (in complexes that do not fit into space)
   };
   RegionId region;  ///< the new one; invalid: nothing is divided
+  RegionId of;      ///< the old one, filled in where it is divided
   Extent extent = Extent::found;
   bool filled = false;
   int side = 1;              ///< which of the two separated sides the new region gets
@@ -115,6 +116,8 @@ struct VertexMergeChange {
     CoedgeId after;  ///< about the edge when it is put back; invalid: the first
   };
   std::vector<Use> uses;  ///< in the order in which they are put back
+
+  EdgeId split_of;  ///< of a division of this edge in the middle: `edge` is a piece of it, `gone` a point of it
 };
 
 /// Two edges between the same vertices become one: the uses of `gone` go about `kept` behind `after`.

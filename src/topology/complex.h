@@ -45,6 +45,7 @@ struct EdgeEnd {
 enum class EdgeUseKind { wire, lamina, manifold, non_manifold };
 
 struct Incidence;
+struct Compaction;
 
 class Complex {
  public:
@@ -198,8 +199,9 @@ class Complex {
   friend Complex assemble_unchecked(const Incidence& incidence);
   friend class Editor;  // what operators change the records with (editor.h)
   friend struct ComplexDifference;
-  friend struct ComplexRows;     // reads the records as they are (rows_detail.h)
-  friend struct ComplexBreaker;  // breaks them, in tests of the checker
+  friend Compaction compact(Complex& k);  // renumbers them (compaction.h)
+  friend struct ComplexRows;              // reads the records as they are (rows_detail.h)
+  friend struct ComplexBreaker;           // breaks them, in tests of the checker
 
   static constexpr std::uint32_t none = 0xffffffffu;
   static constexpr std::uint32_t dead = 0xfffffffeu;

@@ -28,4 +28,9 @@ inline constexpr ErrorCode notation_model{316, "topology.notation_model"};  ///<
 
 inline constexpr ErrorCode no_space{320, "topology.no_space"};  ///< cannot be laid out in space
 
+// Attributes.
+inline constexpr ErrorCode unknown_attribute{330, "topology.unknown_attribute"};  ///< no attribute of this name
+inline constexpr ErrorCode wrong_value{331, "topology.wrong_value"};              ///< of another kind than declared
+inline constexpr ErrorCode bad_rule{332, "topology.bad_rule"};                    ///< does not suit the attribute
+
 }  // namespace aresta::errors

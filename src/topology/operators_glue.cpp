@@ -352,6 +352,7 @@ Result<Applied> esplit(Complex& k, EdgeId e) {
   x.kept = k.end(e);
   x.kept_is_start = false;
   x.ends = {{e, 1}};
+  x.split_of = e;
   if (k.is_wire(e)) x.wire_region = k.region(k.wire_shell(e));
   // A use along e is followed by one of the new edge; a use against e is preceded by one.
   std::size_t i = 0;
