@@ -13,6 +13,7 @@
 #include "document/construction.h"
 #include "document/errors.h"
 #include "document/operands.h"
+#include "fragment/parts.h"
 #include "model/inherit.h"
 #include "model/query.h"
 
@@ -131,9 +132,12 @@ Result<std::vector<std::shared_ptr<const Model>>> models_of(Call& call, const st
 Result<Value> make_fragment(Call& call, const std::string& parameter) {
   ARESTA_TRY(std::vector<std::shared_ptr<const Model>> models, models_of(call, call.shapes(parameter), parameter));
   if (models.empty()) return made(nothing(call.context()));
-  if (models.size() == 1) {
-    // Nothing to imprint: a model's own entities meet in shared ones already. Spaces that sheets enclose become
-    // regions.
+  bool apart = models.size() > 1;
+  if (!apart) {
+    ARESTA_TRY(apart, meets_unshared(*models[0], call.context()));
+  }
+  if (!apart) {
+    // Nothing to imprint: the model's own entities meet in shared ones. Spaces that sheets enclose become regions.
     const bool solid = !models[0]->regions().empty();
     if (!solid) return made(detect_regions(models[0]));
     return made(Model(*models[0]));

@@ -73,7 +73,7 @@ Result<Model> import_file(const std::string& path, const ImportOptions& options,
     if (error.code.failure == Failure::file) error.message = path + ": " + error.message;
     return error;
   }
-  ARESTA_TRY(*read, recognize_forms(std::move(*read), report));
+  ARESTA_TRY(*read, recognize_forms(std::move(*read), report, context));
   if (options.join) {
     ARESTA_TRY(*read, join_touching_parts(std::move(*read), report, context));
   }
