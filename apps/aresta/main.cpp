@@ -59,6 +59,49 @@ CLI::App* add_command(CLI::App& app, Common& common, const char* name, const cha
   return sub;
 }
 
+std::string must_be_number(const std::string& given) {
+  double value = 0;
+  return CLI::detail::lexical_cast(given, value) ? std::string() : "it must be a number, not '" + given + "'";
+}
+
+std::string must_be_whole(const std::string& given) {
+  int value = 0;
+  return CLI::detail::lexical_cast(given, value) ? std::string() : "it must be a whole number, not '" + given + "'";
+}
+
+/// What is wrong with a command line, in words; `command` is the one that it names, if there is such a one.
+std::string usage_text(const CLI::App& app, const CLI::App* command, int argc, char** argv,
+                       const CLI::ParseError* error) {
+  if (command == nullptr) {
+    if (argc == 1) return "say what to do, as in 'aresta info part.step'";
+    const std::string first = argv[1];
+    if (first.size() > 1 && first[0] == '-')
+      return "the first word is a command, and there is no option '" + first + "'";
+    std::vector<std::string> names;
+    for (const CLI::App* s : app.get_subcommands({})) names.push_back(s->get_name());
+    const std::string near = document::nearest_name(first, names);
+    return "there is no command '" + first + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?");
+  }
+  std::string text = error->what();
+  const std::string unexpected = "expected: ", missing = " missing";
+  if (dynamic_cast<const CLI::ExtrasError*>(error) != nullptr && text.find(unexpected) != std::string::npos) {
+    text = text.substr(text.find(unexpected) + unexpected.size());
+    const std::size_t dash = (" " + text).find(" -");  // the option comes after its value
+    if (dash == std::string::npos) return "nothing more is expected here: " + text;
+    const std::string option = text.substr(dash, text.find_first_of(" =", dash) - dash);
+    std::vector<std::string> names;
+    for (const CLI::Option* o : command->get_options()) {
+      for (const std::string& name : o->get_lnames()) names.push_back("--" + name);
+    }
+    const std::string near = document::nearest_name(option, names);
+    return "there is no option '" + option + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?");
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(error) != nullptr && text.ends_with(missing)) {
+    return text.substr(0, text.find(':')) + " needs a value";
+  }
+  return text;
+}
+
 int say(Output& output, const std::string& text) {
   Status status = output.write(text);
   if (status) status = output.flush();
@@ -96,7 +139,7 @@ int main_in_words(int argc, char** argv) {
   HelpOptions help;
   CLI::App* help_command = add_command(app, program.common, "help", "Explain the commands of scripts.",
                                        "Examples:\n  aresta help\n  aresta help cylinder");
-  help_command->add_option("NAME", help.command, "a command of the script language");
+  help_command->add_option("NAME", help.command, "a command of the script language, or of the program")->type_name("");
 
   // Sub-commands on files of models.
   const auto formats = [](CLI::App* sub, Formats& into, bool has_output) {
@@ -184,9 +227,13 @@ int main_in_words(int argc, char** argv) {
   mesh_command
       ->add_option("--size", meshing.size,
                    "wished length of the elements' sides (default: a twelfth of the model's size)")
-      ->type_name("H");
-  mesh_command->add_option("--order", meshing.order, "1: straight elements, 2: with nodes in the middle of their sides")
-      ->type_name("1|2");
+      ->type_name("H")
+      ->check(must_be_number);
+  mesh_command
+      ->add_option("--order", meshing.order,
+                   "1: straight elements (default), 2: with nodes in the middle of their sides")
+      ->type_name("1|2")
+      ->check(must_be_whole);
   formats(mesh_command, meshing, true);
 
   RenderCommandOptions picture;
@@ -203,11 +250,17 @@ int main_in_words(int argc, char** argv) {
   render_command->add_flag("--hidden-lines", picture.hidden_lines, "in SVG: remove the lines that cannot be seen");
   render_command->add_flag("--perspective", picture.perspective, "as the eye sees it");
   render_command
-      ->add_option("--explode", picture.explode, "how far regions move apart: 0 not at all, 1 to twice their distance")
-      ->type_name("F");
-  render_command->add_option("--opacity", picture.opacity, "in PNG: of faces, from 0 to 1")->type_name("F");
-  render_command->add_option("--width", picture.width, "pixels (default: 1600)")->type_name("N");
-  render_command->add_option("--height", picture.height, "pixels (default: 1200)")->type_name("N");
+      ->add_option("--explode", picture.explode,
+                   "how far regions move apart: 0 not at all (default), 1 to twice their distance")
+      ->type_name("F")
+      ->check(must_be_number);
+  render_command->add_option("--opacity", picture.opacity, "in PNG: of faces, from 0 to 1 (default)")
+      ->type_name("F")
+      ->check(must_be_number);
+  render_command->add_option("--width", picture.width, "pixels (default: 1600)")->type_name("N")->check(must_be_whole);
+  render_command->add_option("--height", picture.height, "pixels (default: 1200)")
+      ->type_name("N")
+      ->check(must_be_whole);
   formats(render_command, picture, true);
 
   CutCommandOptions cutting;
@@ -223,27 +276,25 @@ int main_in_words(int argc, char** argv) {
   cut_command->add_option("--section", cutting.section, "a file for the faces in the plane")->type_name("OUT");
   formats(cut_command, cutting, true);
 
+  for (const CLI::App* s : app.get_subcommands({}))
+    help.pages[s->get_name()] = s->help("aresta", CLI::AppFormatMode::Normal);
+
+  const auto wrong_usage = [&](const CLI::ParseError* error) {
+    const CLI::App* command = app.get_subcommands().empty() ? nullptr : app.get_subcommands().front();
+    report("aresta: usage: " + usage_text(app, command, argc, argv, error) + "; try: aresta " +
+           (command != nullptr ? command->get_name() + " " : "") + "--help");
+    return static_cast<int>(status_usage);
+  };
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
+  } catch (const CLI::CallForHelp& error) {
+    if (app.get_subcommands().empty() && argv[1][0] != '-') return wrong_usage(&error);
     const CLI::App* shown = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
     return say(program.output, shown->help(shown == &app ? "" : "aresta", CLI::AppFormatMode::Normal));
   } catch (const CLI::CallForVersion& version) {
     return say(program.output, std::string(version.what()) + "\n");
   } catch (const CLI::ParseError& error) {
-    const bool sub = !app.get_subcommands().empty();
-    std::string text = error.what();
-    if (!sub && argc == 1) text = "say what to do";
-    if (!sub && argc > 1 && argv[1][0] != '-') {
-      text = std::string("there is no command '") + argv[1] + "'";
-      std::vector<std::string> names;
-      for (const CLI::App* s : app.get_subcommands({})) names.push_back(s->get_name());
-      if (const std::string near = document::nearest_name(argv[1], names); !near.empty())
-        text += "; did you mean '" + near + "'?";
-    }
-    report("aresta: " + text + "; see: aresta " + (sub ? app.get_subcommands().front()->get_name() + " " : "") +
-           "--help");
-    return status_usage;
+    return wrong_usage(&error);
   }
 
   Common& common = program.common;

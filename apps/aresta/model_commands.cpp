@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model_commands.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 
@@ -89,6 +90,25 @@ std::string format_out(const std::string& file, const std::string& in, const For
   return file == "-" || in != "-" || !formats.input_format.empty() ? formats.format : std::string();
 }
 
+/// "0,0,5, 0,0,1": a plane's point and normal.
+Result<std::vector<Value>> six_numbers(const std::string& text) {
+  std::vector<Value> numbers;
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data();; ++at) {
+    while (at < end && *at == ' ') ++at;
+    if (at < end && *at == '+') ++at;
+    double number = 0;
+    const auto read = std::from_chars(at, end, number);
+    if (read.ec != std::errc()) break;
+    numbers.emplace_back(number);
+    at = read.ptr;
+    while (at < end && *at == ' ') ++at;
+    if (at == end && numbers.size() == 6) return numbers;
+    if (at == end || *at != ',') break;
+  }
+  return Error{usage_error, "--plane takes six numbers px,py,pz,nx,ny,nz: a point and the normal, not '" + text + "'"};
+}
+
 }  // namespace
 
 std::string figure(double value) {
@@ -148,6 +168,7 @@ Result<int> check_file(Program& program, const FileOptions& options) {
 }
 
 Result<int> convert_file(Program& program, const ConvertOptions& options) {
+  ARESTA_CHECK(check_output(Product::model, options.in, options.out, format_out(options.out, options.in, options)));
   Commands commands(program);
   ARESTA_TRY(const Value shape, commands.import(options.in, format_in(options.in, options)));
   ARESTA_CHECK(commands.write("export", shape, options.out, format_out(options.out, options.in, options)));
@@ -155,6 +176,9 @@ Result<int> convert_file(Program& program, const ConvertOptions& options) {
 }
 
 Result<int> fragment_files(Program& program, const FragmentCommandOptions& options) {
+  ARESTA_CHECK(check_inputs(options.in));
+  const std::string& first = options.in.front();
+  ARESTA_CHECK(check_output(Product::model, first, options.out, format_out(options.out, first, options)));
   Commands commands(program);
   std::vector<Value> parts;
   for (const std::string& file : options.in) {
@@ -163,11 +187,14 @@ Result<int> fragment_files(Program& program, const FragmentCommandOptions& optio
     parts.insert(parts.end(), components.items().begin(), components.items().end());
   }
   ARESTA_TRY(const Value result, commands.call("fragment", {Value::list(std::move(parts))}));
-  ARESTA_CHECK(commands.write("export", result, options.out, format_out(options.out, options.in.front(), options)));
+  ARESTA_CHECK(commands.write("export", result, options.out, format_out(options.out, first, options)));
   return tell(program, result, options.out);
 }
 
 Result<int> boolean_files(Program& program, const BooleanCommandOptions& options) {
+  ARESTA_CHECK(check_inputs({options.a, options.b}));
+  const std::string format = format_out(options.out, options.a == "-" ? options.a : options.b, options);
+  ARESTA_CHECK(check_output(Product::model, options.a, options.out, format));
   Commands commands(program);
   ARESTA_TRY(const Value a, commands.import(options.a, format_in(options.a, options)));
   ARESTA_TRY(const Value b, commands.import(options.b, format_in(options.b, options)));
@@ -175,12 +202,12 @@ Result<int> boolean_files(Program& program, const BooleanCommandOptions& options
   if (options.simplify) {
     ARESTA_TRY(result, commands.call("simplify", {result}));
   }
-  ARESTA_CHECK(commands.write("export", result, options.out,
-                              format_out(options.out, options.a == "-" ? options.a : options.b, options)));
+  ARESTA_CHECK(commands.write("export", result, options.out, format));
   return tell(program, result, options.out);
 }
 
 Result<int> mesh_file(Program& program, const MeshCommandOptions& options) {
+  ARESTA_CHECK(check_output(Product::mesh, options.in, options.out, format_out(options.out, options.in, options)));
   Commands commands(program);
   ARESTA_TRY(const Value shape, commands.import(options.in, format_in(options.in, options)));
   ARESTA_TRY(const Value mesh,
@@ -213,6 +240,7 @@ Result<int> mesh_file(Program& program, const MeshCommandOptions& options) {
 }
 
 Result<int> render_file(Program& program, const RenderCommandOptions& options) {
+  ARESTA_CHECK(check_output(Product::picture, options.in, options.out, format_out(options.out, options.in, options)));
   Commands commands(program);
   ARESTA_TRY(const Value shape, commands.import(options.in, format_in(options.in, options)));
   ARESTA_CHECK(commands.write("render", shape, options.out, format_out(options.out, options.in, options),
@@ -227,23 +255,17 @@ Result<int> render_file(Program& program, const RenderCommandOptions& options) {
 }
 
 Result<int> cut_file(Program& program, const CutCommandOptions& options) {
-  std::vector<Value> plane;
-  const char* at = options.plane.data();
-  const char* end = at + options.plane.size();
-  while (at < end) {
-    double number = 0;
-    const auto r = std::from_chars(at, end, number);
-    if (r.ec != std::errc() || (r.ptr < end && *r.ptr != ',')) break;
-    plane.emplace_back(number);
-    at = r.ptr + (r.ptr < end ? 1 : 0);
-    if (r.ptr == end) break;
-  }
-  if (at != end || plane.size() != 6) {
-    return Error{usage_error,
-                 "--plane takes six numbers px,py,pz,nx,ny,nz: a point and the normal, not '" + options.plane + "'"};
-  }
+  ARESTA_TRY(const std::vector<Value> plane, six_numbers(options.plane));
   if (options.above.empty() && options.below.empty() && options.section.empty()) {
     return Error{usage_error, "cut: say where results go: --above, --below or --section"};
+  }
+  std::vector<std::string> outputs;
+  for (const std::string& out : {options.above, options.below, options.section}) {
+    if (out.empty()) continue;
+    ARESTA_CHECK(check_output(Product::model, options.in, out, format_out(out, options.in, options)));
+    if (std::find(outputs.begin(), outputs.end(), out) != outputs.end())
+      return Error{usage_error, "cut: '" + out + "' is given for two results"};
+    outputs.push_back(out);
   }
   Commands commands(program);
   const Value point = Value::tuple({plane[0], plane[1], plane[2]}),

@@ -3,9 +3,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <initializer_list>
 
 #include "base/files.h"
 #include "interrupt.h"
@@ -37,8 +40,10 @@ Result<Value> Commands::import(const std::string& file, const std::string& forma
   if (!shape) {
     // The user knows nothing of the temporary file.
     std::string& message = shape.error().message;
-    if (const auto at = message.find(temporary.path()); at != std::string::npos)
-      message.replace(at, temporary.path().size(), "standard input");
+    for (const std::string& name : {"the file " + temporary.path(), temporary.path()}) {
+      if (const auto at = message.find(name); at != std::string::npos)
+        message.replace(at, name.size(), "standard input");
+    }
   }
   return shape;
 }
@@ -56,6 +61,35 @@ Status Commands::write(const std::string& command, const Value& shape, const std
   ARESTA_TRY(const std::string data, read_file(temporary.path()));
   ARESTA_CHECK(program_.output.write(data));
   return program_.output.flush();
+}
+
+Status check_inputs(const std::vector<std::string>& inputs) {
+  if (std::count(inputs.begin(), inputs.end(), "-") < 2) return {};
+  return Error{usage_error, "'-' is given twice, but standard input can be read only once"};
+}
+
+Status check_output(Product product, const std::string& in, const std::string& out, const std::string& format) {
+  if (out.empty()) return Error{usage_error, "the name of the output is empty"};
+  if (out == "-" && format.empty()) return Error{usage_error, "standard output needs --format, as in --format step"};
+  std::string word = format;
+  if (word.empty()) {
+    word = std::filesystem::path(out).extension().string();
+    if (!word.empty()) word.erase(0, 1);
+  }
+  for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const auto is_one_of = [&](std::initializer_list<const char*> words) {
+    return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
+  };
+  const bool picture = is_one_of({"png", "svg", "html"}), mesh = is_one_of({"inp", "msh", "msh2", "vtu"});
+  const bool good = product == Product::picture ? picture : product == Product::mesh ? mesh : !picture && !mesh;
+  if (good) return {};
+  const std::string from = in.empty() ? "IN" : in, to = " -o " + out + (format.empty() ? "" : " --format " + format);
+  std::string message = product == Product::picture ? "a picture is written as png, svg or html"
+                        : product == Product::mesh  ? "a mesh is written as inp, msh, msh2 or vtu"
+                                                    : "a model is written as step, brep, stl or obj";
+  message += word.empty() ? ", and '" + out + "' has no ending that tells" : ", not as '" + word + "'";
+  const char* verb = picture ? "aresta render " : mesh ? "aresta mesh " : nullptr;
+  return Error{.code = usage_error, .message = std::move(message), .hint = verb == nullptr ? "" : verb + from + to};
 }
 
 std::shared_ptr<Model> Commands::model_of(const Value& shape) {

@@ -33,6 +33,16 @@ class Commands {
   document::Session session_;
 };
 
+/// Standard input can be read only once. Error: usage_error.
+Status check_inputs(const std::vector<std::string>& inputs);
+
+/// What a sub-command writes.
+enum class Product { model, mesh, picture };
+
+/// Whether the name and the format of an output go with what is written there: asked before the work begins, so that
+/// nobody waits for a refusal. `in` is the input's name, for the advice. Error: usage_error.
+Status check_output(Product product, const std::string& in, const std::string& out, const std::string& format);
+
 /// A file of its own in the folder for temporary files, gone when this is: also when a second Ctrl-C ends the program.
 class TemporaryFile {
  public:

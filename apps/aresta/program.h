@@ -2,6 +2,7 @@
 // The sub-commands of the program, each a function of its options that gives the exit status.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -56,8 +57,9 @@ Result<int> run_script(Program& program, const RunOptions& options);
 
 struct HelpOptions {
   std::string command;
+  std::map<std::string, std::string> pages;  ///< of the program's own commands, by name
 };
-/// `aresta help [command]`: the commands of the language by group, or one command's page.
+/// `aresta help [command]`: the commands of the language by group, or the page of one, or of one of the program's.
 Result<int> show_help(Program& program, const HelpOptions& options);
 
 }  // namespace aresta::app

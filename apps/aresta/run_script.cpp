@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `aresta run`: a script, its variables, and the summary of what it did.
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <chrono>
 
@@ -77,13 +78,23 @@ Json model_figures(const document::ShapePtr& shape) {
   return json;
 }
 
+/// Two names of one regular file.
+bool same_file(const std::string& a, const std::string& b) {
+  struct stat of_a {
+  }, of_b{};
+  return ::stat(a.c_str(), &of_a) == 0 && ::stat(b.c_str(), &of_b) == 0 && S_ISREG(of_a.st_mode) &&
+         of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
+}
+
 }  // namespace
 
 Result<int> run_script(Program& program, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const bool standard_input = options.file == "-";
-  ARESTA_TRY(const std::string text,
-             standard_input ? read_standard_input(program.context) : read_file(options.file, max_script_bytes));
+  if (same_file(options.file, options.summary_file))
+    return Error{usage_error, "--summary-file '" + options.summary_file + "' is the script itself"};
+  ARESTA_TRY(const std::string text, standard_input ? read_standard_input(program.context)
+                                                    : read_file(options.file, max_script_bytes, program.context));
 
   Lines printed;
   Json commands = Json::array();

@@ -2,9 +2,11 @@
 #include "base/files.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <cstdio>
@@ -15,6 +17,7 @@ namespace aresta {
 namespace {
 
 Error file_error(ErrorCode code, const char* what, const std::string& path, int reason) {
+  if (path.empty()) return Error{code, std::string(what) + " '': the name of the file is empty"};
   return Error{code, std::string(what) + " " + path + ": " + std::strerror(reason)};
 }
 
@@ -36,6 +39,13 @@ std::string resolved(const std::string& path) {
   std::string result = real;
   std::free(real);
   return result;
+}
+
+/// False for what is there by a link of the system's alone, as /dev/stdin may be.
+bool is_named(const std::string& path) {
+  char* real = ::realpath(path.c_str(), nullptr);
+  std::free(real);
+  return real != nullptr;
 }
 
 }  // namespace
@@ -74,26 +84,42 @@ Status write_file(const std::string& path, std::string_view data) {
   return {};
 }
 
-Result<std::string> read_file(const std::string& path, std::size_t limit) {
+Result<std::string> read_file(const std::string& path, std::size_t limit, const Context& context) {
   const auto failed = [&](int reason) { return file_error(errors::file_unreadable, "cannot read", path, reason); };
   struct stat info {};
   if (::stat(path.c_str(), &info) != 0) return failed(errno);
   if (S_ISDIR(info.st_mode)) return failed(EISDIR);
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // A pipe is opened without waiting for its other end, and waited for in short steps: one with a name until something
+  // comes, as nobody may have opened its other end yet.
+  const bool waits = !S_ISREG(info.st_mode);
+  const bool has_name = S_ISFIFO(info.st_mode) && is_named(path);
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | (waits ? O_NONBLOCK : 0));
   if (file < 0) return failed(errno);
+  if (waits) limit = std::min(limit, std::size_t{1} << 30);
   std::string data;
   char buffer[1 << 16];
   int reason = 0;
+  Status status;
   for (;;) {
+    if (status = context.step(0, "reading a file"); !status.ok()) break;
+    if (waits) {
+      pollfd waiting{file, POLLIN, 0};
+      if (::poll(&waiting, 1, 100) == 0) continue;
+    }
     const ssize_t n = ::read(file, buffer, sizeof buffer);
-    if (n < 0 && errno == EINTR) continue;
+    if (n < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (n < 0) reason = errno;
+    if (n == 0 && has_name && data.empty()) {
+      ::poll(nullptr, 0, 20);
+      continue;
+    }
     if (n <= 0) break;
     data.append(buffer, static_cast<std::size_t>(n));
     if (data.size() > limit) reason = EFBIG;
     if (reason != 0) break;
   }
   ::close(file);
+  ARESTA_CHECK(status);
   if (reason != 0) return failed(reason);
   return data;
 }

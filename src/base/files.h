@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/context.h"
 #include "base/result.h"
 
 namespace aresta {
@@ -15,8 +16,11 @@ namespace aresta {
 /// directly. Error: file_unwritable, with the path and the system's reason.
 Status write_file(const std::string& path, std::string_view data);
 
-/// All bytes of a file. Error: file_unreadable, with the path and the system's reason (a folder is not a file; more
-/// than `limit` bytes, as an endless device gives).
-Result<std::string> read_file(const std::string& path, std::size_t limit = std::size_t{1} << 33);
+/// All bytes of a file; of a device or pipe at most 1 GB. Waiting for a pipe can be
+/// cancelled. Errors: file_unreadable,
+/// with the path and the system's reason (a folder is not a file; more than `limit` bytes, as an endless device gives);
+/// cancelled.
+Result<std::string> read_file(const std::string& path, std::size_t limit = std::size_t{1} << 33,
+                              const Context& context = {});
 
 }  // namespace aresta

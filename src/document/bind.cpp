@@ -18,7 +18,8 @@ Error wrong(const ErrorCode& code, const Command& command, std::string message) 
 Error wrong_value(const ErrorCode& code, const Command& command, const Parameter& p, const std::string& part,
                   const std::string& expected, const Value& given) {
   return {.code = code,
-          .message = command.name + ": " + p.name + part + " must be " + expected + ", not " + given_text(given)};
+          .message = command.name + ": " + p.name + part + " must be " + expected + ", not " +
+                     (code == errors::command_type ? given_text(given) : repr(given, Digits::shortest, 60))};
 }
 
 /// Checks one number and its range. A whole number too large for a double is no trouble: 64 bits always fit.
@@ -57,11 +58,23 @@ Status check_point(const Command& c, const Parameter& p, const std::string& part
   return check_numbers(c, p, part, v, 3, expected);
 }
 
+/// A point of space: squares of what is farther out than 1e30 and their products are no numbers any more.
+Status check_place(const Command& c, const Parameter& p, const std::string& part, const Value& v,
+                   const char* expected) {
+  constexpr double farthest = 1e30;
+  ARESTA_CHECK(check_point(c, p, part, v, expected));
+  for (const Value& x : v.items()) {
+    if (std::abs(x.number()) > farthest)
+      return wrong_value(errors::command_range, c, p, part, "a point with coordinates of at most 1e30", v);
+  }
+  return {};
+}
+
 Status check_points(const Command& c, const Parameter& p, const std::string& part, const Value& v) {
   if (!v.is_sequence()) return wrong_value(errors::command_type, c, p, part, type_text(Type::points), v);
   const auto& items = v.items();
   for (std::size_t i = 0; i < items.size(); ++i) {
-    ARESTA_CHECK(check_point(c, p, part + "[" + std::to_string(i) + "]", items[i], type_text(Type::point)));
+    ARESTA_CHECK(check_place(c, p, part + "[" + std::to_string(i) + "]", items[i], type_text(Type::point)));
   }
   return {};
 }
@@ -122,7 +135,7 @@ Status check(const Command& c, const Parameter& p, const std::string& part, cons
     case Type::numbers:
       return check_numbers(c, p, part, v, p.size, "a list");
     case Type::point:
-      return check_point(c, p, part, v, type_text(Type::point));
+      return check_place(c, p, part, v, type_text(Type::point));
     case Type::direction: {
       ARESTA_CHECK(check_point(c, p, part, v, type_text(Type::direction)));
       const auto& d = v.items();
@@ -161,7 +174,7 @@ Status check(const Command& c, const Parameter& p, const std::string& part, cons
       return expect_kind(v.is(Kind::shape));
     case Type::shape_or_point: {
       if (v.is(Kind::shape)) return {};
-      return check_point(c, p, part, v, type_text(Type::shape_or_point));
+      return check_place(c, p, part, v, type_text(Type::shape_or_point));
     }
     case Type::shapes:
       return check_shapes(c, p, part, v);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Booleans between groups, fragment, region detection, clean-up, cuts and sections.
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "boolean/boolean.h"
@@ -13,6 +14,7 @@
 #include "document/construction.h"
 #include "document/errors.h"
 #include "document/operands.h"
+#include "fragment/parts.h"
 #include "model/inherit.h"
 #include "model/query.h"
 
@@ -131,9 +133,12 @@ Result<std::vector<std::shared_ptr<const Model>>> models_of(Call& call, const st
 Result<Value> make_fragment(Call& call, const std::string& parameter) {
   ARESTA_TRY(std::vector<std::shared_ptr<const Model>> models, models_of(call, call.shapes(parameter), parameter));
   if (models.empty()) return made(nothing(call.context()));
-  if (models.size() == 1) {
-    // Nothing to imprint: a model's own entities meet in shared ones already. Spaces that sheets enclose become
-    // regions.
+  bool apart = models.size() > 1;
+  if (!apart) {
+    ARESTA_TRY(apart, meets_unshared(*models[0], call.context()));
+  }
+  if (!apart) {
+    // Nothing to imprint: the model's own entities meet in shared ones. Spaces that sheets enclose become regions.
     const bool solid = !models[0]->regions().empty();
     if (!solid) return made(detect_regions(models[0]));
     return made(Model(*models[0]));
@@ -189,18 +194,26 @@ Result<Value> simplify_shape(Call& call) {
   return made(std::move(cleaned.model));
 }
 
-/// A plane, and a square face on it that reaches beyond the shape everywhere.
+/// A plane, and a square face on it that reaches beyond the shape everywhere; none when the plane misses the shape.
 struct CuttingPlane {
   Vec3 point, normal;
   std::shared_ptr<const Model> square;
+  bool shape_is_above = false;  ///< where the plane misses it
 };
 
 Result<CuttingPlane> cutting_plane(Call& call, const Model& model) {
-  CuttingPlane plane{call.point("point"), normalized(call.point("normal")), nullptr};
+  Vec3 normal = call.point("normal");
+  normal = normal / std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});  // its square is a number
+  CuttingPlane plane{call.point("point"), normalized(normal), nullptr};
   Box3 box = model.bounds();
   // Centred near the shape, however far away `point` is.
   const Vec3 middle = box.empty() ? plane.point : box.centre();
-  const Frame frame = Frame::along(middle - dot(middle - plane.point, plane.normal) * plane.normal, plane.normal);
+  const double height = dot(middle - plane.point, plane.normal);
+  if (std::abs(height) > box.diagonal() + 1) {
+    plane.shape_is_above = height > 0;
+    return plane;
+  }
+  const Frame frame = Frame::along(middle - height * plane.normal, plane.normal);
   const double reach = box.diagonal() + 1;
   const std::array<Vec3, 4> corners = {frame.to_world({-reach, -reach, 0}), frame.to_world({reach, -reach, 0}),
                                        frame.to_world({reach, reach, 0}), frame.to_world({-reach, reach, 0})};
@@ -236,6 +249,10 @@ Result<Value> cut_shape(Call& call) {
   if (model->topology().vertex_count() == 0)
     return Value::tuple({Value(whole_shape(model)), Value(whole_shape(model))});
   ARESTA_TRY(const CuttingPlane plane, cutting_plane(call, *model));
+  if (plane.square == nullptr) {
+    const Value whole(whole_shape(model)), nothing(whole_shape(std::make_shared<Model>()));
+    return plane.shape_is_above ? Value::tuple({whole, nothing}) : Value::tuple({nothing, whole});
+  }
   FragmentOptions options;
   options.tolerance = call.session().tolerance;
   options.detect_regions = false;
@@ -269,6 +286,7 @@ Result<Value> section_shape(Call& call) {
   ARESTA_TRY(const std::shared_ptr<Model> model, as_model(*x, call.context()));
   if (model->topology().vertex_count() == 0) return Value(whole_shape(model));
   ARESTA_TRY(const CuttingPlane plane, cutting_plane(call, *model));
+  if (plane.square == nullptr) return Value(whole_shape(std::make_shared<Model>()));
   BooleanOptions options;
   options.kind = BooleanKind::intersect;
   options.fragment.tolerance = call.session().tolerance;

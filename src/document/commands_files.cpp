@@ -126,6 +126,11 @@ Result<Value> render_shape(Call& call) {
   const std::string& file = call.string("path");
   const std::string format = format_of_call(call);
   if (!is_picture_format(format)) {
+    if (format.empty()) {
+      return Error{.code = errors::command_range,
+                   .message = "render: the path '" + file + "' has no ending that tells the format",
+                   .hint = "a path that ends in .png, .svg or .html, or format=\"png\""};
+    }
     return Error{errors::command_range, "render: a picture is written as png, svg or html, not as '" + format + "'"};
   }
   ARESTA_TRY(const ModelShapePtr x, model_shape(call, call.shape("x"), "x"));
@@ -159,7 +164,10 @@ Result<Value> render_shape(Call& call) {
 }  // namespace
 
 std::string MeshShape::describe() const {
-  return "mesh of " + std::to_string(mesh_.nodes.size()) + " nodes, " + std::to_string(element_count()) + " elements";
+  const auto counted = [](std::size_t n, const char* what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  };
+  return "mesh of " + counted(mesh_.nodes.size(), "node") + ", " + counted(element_count(), "element");
 }
 
 std::size_t MeshShape::element_count() const {

@@ -159,13 +159,13 @@ void RasterBand::add_line(const ScreenLine& line, std::uint32_t index, const Bia
     const bool seen = line_is_seen(line.a.x + t * dx, line.a.y + t * dy, depth_along(line, t), bias);
     if (seen && run < 0) run = t;
     if (run >= 0 && (!seen || i == last)) {
-      stroke(line, index, run, seen ? t : double(i - 1) / steps);
+      stroke(line, index, run, seen ? t : double(i - 1) / steps, bias.other);
       run = -1;
     }
   }
 }
 
-void RasterBand::stroke(const ScreenLine& line, std::uint32_t index, double from, double to) {
+void RasterBand::stroke(const ScreenLine& line, std::uint32_t index, double from, double to, double tie) {
   const Vec3 d = line.b - line.a;
   const double length = std::hypot(d.x, d.y);
   const int pieces = std::max(1, int(std::ceil((to - from) * length / 16)));
@@ -187,7 +187,7 @@ void RasterBand::stroke(const ScreenLine& line, std::uint32_t index, double from
         if (dot(away, away) > r2) continue;
         const std::size_t sample = at(x, y);
         const float z = float(depth_along(line, t0 + s * (t1 - t0)));
-        if (z < line_depth_[sample]) {
+        if (z < line_depth_[sample] - float(tie)) {
           line_depth_[sample] = z;
           line_[sample] = index;
         }

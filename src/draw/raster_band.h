@@ -30,7 +30,8 @@ class RasterBand {
     double own = 0, other = 0;
     std::function<bool(std::uint32_t triangle)> is_own;
   };
-  /// A stroke where its middle line is seen; after all opaque triangles.
+  /// A stroke where its middle line is seen; after all opaque triangles. Of strokes nearer to each other than
+  /// `bias.other` the first stays.
   void add_line(const ScreenLine& line, std::uint32_t index, const Bias& bias);
 
   struct Layer {
@@ -55,7 +56,7 @@ class RasterBand {
   template <class Visit>
   void scan(const ScreenTriangle& t, const Visit& visit) const;
   bool line_is_seen(double x, double y, double depth, const Bias& bias) const;
-  void stroke(const ScreenLine& line, std::uint32_t index, double from, double to);
+  void stroke(const ScreenLine& line, std::uint32_t index, double from, double to, double tie);
   double depth_along(const ScreenLine& line, double t) const;
 
   int width_, first_, rows_;

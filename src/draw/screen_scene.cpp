@@ -40,15 +40,19 @@ ScreenScene project(const View& view, const Projector& projector, int samples, b
     }
   }
 
-  for (std::uint32_t source = 0; source < lines.size(); ++source) {
-    const DrawnLine& line = lines[source];
-    const double radius = line.kind == LineKind::silhouette ? 0.75 * edge_radius : edge_radius;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-      Vec3 a = projector.to_view(line.points[i - 1]), b = projector.to_view(line.points[i]);
-      if (clips && a.z < near && b.z < near) continue;
-      if (clips && a.z < near) a = at_near(a, b);
-      if (clips && b.z < near) b = at_near(b, a);
-      result.lines.push_back({screen(a), screen(b), radius, line.color, source});
+  // Wires last: where one coincides with an edge of a face, the edge is seen.
+  for (const bool wires : {false, true}) {
+    for (std::uint32_t source = 0; source < lines.size(); ++source) {
+      const DrawnLine& line = lines[source];
+      if ((line.kind == LineKind::wire) != wires) continue;
+      const double radius = line.kind == LineKind::silhouette ? 0.75 * edge_radius : edge_radius;
+      for (std::size_t i = 1; i < line.points.size(); ++i) {
+        Vec3 a = projector.to_view(line.points[i - 1]), b = projector.to_view(line.points[i]);
+        if (clips && a.z < near && b.z < near) continue;
+        if (clips && a.z < near) a = at_near(a, b);
+        if (clips && b.z < near) b = at_near(b, a);
+        result.lines.push_back({screen(a), screen(b), radius, line.color, source});
+      }
     }
   }
   for (const PointMark& mark : view.scene.points) {

@@ -13,6 +13,8 @@ namespace aresta {
 
 namespace {
 
+constexpr std::size_t max_bytes = std::size_t{1} << 33;
+
 struct Format {
   const char* name;
   const char* extensions;  // each with a space before and after
@@ -42,6 +44,7 @@ std::string lower(std::string text) {
 }
 
 Result<const Format*> choose(const std::string& path, const std::string& given) {
+  if (path.empty()) return Error{errors::unknown_format, "the name of the file is empty"};
   std::string word = lower(given.empty() ? std::filesystem::path(path).extension().string() : given);
   if (!word.empty() && word.front() == '.') word.erase(0, 1);
   if (const Format* format = find(word)) return format;
@@ -63,7 +66,7 @@ Result<std::string> format_of(const std::string& path, const std::string& given)
 
 Result<Model> import_file(const std::string& path, const ImportOptions& options, const Context& context) {
   ARESTA_TRY(const Format* format, choose(path, options.format));
-  ARESTA_TRY(const std::string data, read_file(path));
+  ARESTA_TRY(const std::string data, read_file(path, max_bytes, context));
   ImportReport report;
   report.format = format->name;
   if (data.empty()) return Error{errors::bad_content, "the file " + path + " is empty"};
@@ -73,7 +76,7 @@ Result<Model> import_file(const std::string& path, const ImportOptions& options,
     if (error.code.failure == Failure::file) error.message = path + ": " + error.message;
     return error;
   }
-  ARESTA_TRY(*read, recognize_forms(std::move(*read), report));
+  ARESTA_TRY(*read, recognize_forms(std::move(*read), report, context));
   if (options.join) {
     ARESTA_TRY(*read, join_touching_parts(std::move(*read), report, context));
   }

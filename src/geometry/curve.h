@@ -91,8 +91,8 @@ class Curve {
   /// The stretch of a line's direction (and of a parabola's), else 1.
   double parameter_factor(const Transform& t) const;
   /// Exact NURBS form of the piece `range`, which must be finite; its parameters are its own (for arcs they agree at
-  /// the knots). An offset has no exact form and is approximated to 1e-9 of its size. Degree 0 and no poles when there
-  /// is none.
+  /// the knots), and it is never periodic. An offset has no exact form and is approximated to 1e-9 of its size. Degree
+  /// 0 and no poles when there is none.
   NurbsCurveData to_nurbs(Range range) const;
 
  private:

@@ -263,7 +263,12 @@ NurbsCurveData to_nurbs(const FreeCurve& c, Range range) {
   return guarded(
       [&] {
         const Handle(Geom_TrimmedCurve) piece = new Geom_TrimmedCurve(of(c), range.low, range.high);
-        return data_of(GeomConvert::CurveToBSplineCurve(piece));
+        Handle(Geom_BSplineCurve) spline = GeomConvert::CurveToBSplineCurve(piece);
+        if (spline->IsPeriodic()) {
+          spline = Handle(Geom_BSplineCurve)::DownCast(spline->Copy());
+          spline->SetNotPeriodic();
+        }
+        return data_of(spline);
       },
       NurbsCurveData{});
 }

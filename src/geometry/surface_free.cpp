@@ -175,7 +175,13 @@ NurbsSurfaceData to_nurbs(const FreeSurface& s, const Range2& piece) {
       [&] {
         const Handle(Geom_RectangularTrimmedSurface) part =
             new Geom_RectangularTrimmedSurface(of(s), piece.u.low, piece.u.high, piece.v.low, piece.v.high);
-        return data_of(GeomConvert::SurfaceToBSplineSurface(part));
+        Handle(Geom_BSplineSurface) spline = GeomConvert::SurfaceToBSplineSurface(part);
+        if (spline->IsUPeriodic() || spline->IsVPeriodic()) {
+          spline = Handle(Geom_BSplineSurface)::DownCast(spline->Copy());
+          if (spline->IsUPeriodic()) spline->SetUNotPeriodic();
+          if (spline->IsVPeriodic()) spline->SetVNotPeriodic();
+        }
+        return data_of(spline);
       },
       NurbsSurfaceData{});
 }

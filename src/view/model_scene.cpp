@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/model_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -35,6 +36,11 @@ std::optional<draw::Color> parse_color(const Labels& labels, EntityRef entity) {
   }
   return draw::Color{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
                      static_cast<std::uint8_t>(value), 255};
+}
+
+/// White lines, as files made for dark screens have, would not be seen on paper.
+bool is_pale(draw::Color c) {
+  return std::min({c.r, c.g, c.b}) > 225;
 }
 
 class SceneMaker {
@@ -108,7 +114,7 @@ class SceneMaker {
       if (line.faces.empty() || line.faces.back() != k_.face(c)) line.faces.push_back(k_.face(c));
     }
     line.smooth = is_smooth(e);
-    if (const auto own = parse_color(model_.labels, e)) line.color = *own;
+    if (const auto own = parse_color(model_.labels, e); own && !is_pale(*own)) line.color = *own;
     scene_.edges.push_back(std::move(line));
   }
 

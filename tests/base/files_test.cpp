@@ -6,7 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <thread>
 
 namespace aresta {
 namespace {
@@ -33,6 +37,30 @@ TEST_F(Files, WritesReadsAndReplaces) {
   ASSERT_TRUE(write_file(path("f"), "second"));
   EXPECT_EQ(*read_file(path("f")), "second");
   EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(Files, PipesAreWaitedForAndCanBeGivenUp) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  std::thread writer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    std::ofstream(path("pipe")) << "late";
+  });
+  const auto text = read_file(path("pipe"));
+  writer.join();
+  ASSERT_TRUE(text.ok()) << text.error().to_line();
+  EXPECT_EQ(*text, "late");
+
+  std::atomic<bool> cancel{false};
+  Context context;
+  context.cancel = &cancel;
+  std::thread stopper([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    cancel = true;
+  });
+  EXPECT_EQ(read_file(path("pipe"), 1000, context).error().code, errors::cancelled);
+  stopper.join();
+  EXPECT_EQ(read_file("/dev/zero", 100000).error().code, errors::file_unreadable);
+  EXPECT_EQ(read_file("").error().message, "cannot read '': the name of the file is empty");
 }
 
 TEST_F(Files, FollowsALinkAndKeepsPermissions) {

@@ -148,6 +148,25 @@ TEST(Png, EdgesJustBehindAForeignFaceAreNotDrawn) {
   EXPECT_TRUE(dark(image.at(60, 50)));
 }
 
+TEST(Png, OfCoincidingLinesOneIsSeenThroughout) {
+  for (const bool wire_first : {false, true}) {
+    Scene scene;
+    add_sheet(scene, -3, 3, 0, red);
+    // A wire along an edge of the sheet, cut otherwise and off it by rounding.
+    const auto add_wire = [&] {
+      test::add_edge(scene, {{-2, 1e-9, 0}, {-0.7, -1e-9, 1e-9}, {0.1, 1e-9, 0}, {2, -1e-9, 0}});
+      scene.edges.back().color = {255, 255, 255, 255};
+    };
+    if (wire_first) add_wire();
+    test::add_edge(scene, {{-2, 0, 0}, {2, 0, 0}}, {FaceId(0)});
+    if (!wire_first) add_wire();
+    RenderOptions options = front_options();
+    options.edge_width = 2;
+    const Image image = image_of(scene, options);
+    for (int x = 31; x < 69; ++x) EXPECT_TRUE(dark(image.at(x, 50))) << x;
+  }
+}
+
 TEST(Png, SmoothEdgesAreNotDrawn) {
   Scene scene;
   add_sheet(scene, -3, 3, 0, red);

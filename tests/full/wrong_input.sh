@@ -33,7 +33,7 @@ judge() {
     refused=$((refused + 1))
     if ! grep -q '^aresta: ' "$OUT/error"; then
       bad "$1: no message"
-    elif ! grep -Eq "$3" "$OUT/error"; then
+    elif ! grep -Eq -e "$3" "$OUT/error"; then
       bad "$1: the message does not say: $3"
     elif grep -Eqi 'terminate called|segmentation|sanitizer|runtime error|std::|0x[0-9a-f]{6}' "$OUT/error"; then
       bad "$1: the message is not for people"
@@ -80,6 +80,45 @@ script 'empty file' '1 3' 'empty\.step' 'a = import_file("empty.step")' 'export(
 program 'unknown command' 2 'frobnicate' frobnicate
 program 'unknown option' 2 'frobnicate' run --frobnicate script.ars
 program 'no script' 2 '.' run
+program 'unknown command with --help' 2 'frobnicate' frobnicate --help
+program 'an option in place of a command' 2 'frobnicate' --frobnicate
+program 'no name' 3 'empty' run ''
+program 'no name to read' 3 'empty' info ''
+program 'no name to write' 2 'empty' convert "$flange" ''
+program 'one argument too many' 2 'more' info "$flange" more
+program 'an option without its value' 2 'format needs a value' convert "$flange" out.brep --format
+for option in '--size many' '--order 1.5' '--order 3' '--size nan' '--size inf' '--size -1' '--size 1e-300' '--tolerance 0' '--threads 1.5'; do
+  program "mesh $option" '1 2' "${option%% *}|${option#--}|size|order" mesh "$flange" -o out.inp ${option% *} "${option#* }"
+done
+for option in '--width 0' '--width 1.5' '--height 1e9' '--explode -1' '--explode 1e300' '--explode nan' '--opacity 2' '--view above'; do
+  program "render $option" '1 2' "$(echo "${option% *}" | tr -d -)" render "$flange" -o out.png ${option% *} "${option#* }"
+done
+for plane in '' 1 a,b,c,d,e,f 0,0,0,0,0 0,0,0,0,0,0 0,0,nan,0,0,1 0,0,1e300,0,0,1 0,0,0,0,0,1, '0,0,0,0,0,1;'; do
+  program "cut by '$plane'" '1 2' 'plane|normal|point' cut "$flange" --plane "$plane" --above out.brep
+done
+program 'cut without results' 2 'above' cut "$flange" --plane 0,0,0,0,0,1
+program 'cut with one file for two results' 2 'out\.brep' cut "$flange" --plane 0,0,0,0,0,1 --above out.brep --below out.brep
+program 'unknown operation' 2 'union' boolean join "$flange" "$flange" -o out.brep
+# Refused before anything is read.
+program 'a model as a picture' 2 'aresta render' convert missing.step out.png
+program 'a model as a mesh' 2 'aresta mesh' fragment missing.step -o out.inp
+program 'a mesh as a model' 2 'inp' mesh missing.step -o out.step
+program 'a picture as a model' 2 'png' render missing.step -o out.step
+program 'a picture without an ending' 2 'png' render missing.step -o out
+program 'standard input twice' 2 'once|twice' fragment - - --input-format step -o out.brep
+program 'standard input without a format' 2 'format' info -
+program 'standard output without a format' 2 'format' convert "$flange" -
+program 'nothing on standard input' 3 'standard input is empty' info - --format step
+program 'an endless file' 3 '/dev/zero' info /dev/zero --format stl
+program 'an endless script' 3 '/dev/zero' run /dev/zero
+program 'a file as a folder' 3 'script\.ars/' info script.ars/ --format step
+echo 'x = 1' >script.ars
+program 'a summary over its own script' 2 'script\.ars' run script.ars --summary-file "$PWD/script.ars"
+[ "$(cat script.ars)" = 'x = 1' ] || bad 'the script was overwritten'
+program 'a name too long' 3 'nnnn' convert "$flange" "$(printf 'n%.0s' 1 2 3 4)$(head -c 300 /dev/zero | tr '\0' n).brep"
+program 'a file in a file' 3 'script\.ars' convert "$flange" script.ars/out.brep
+ln -sf loop.step loop.step
+program 'a link to itself' 3 'loop' info loop.step
 
 # --- damaged STEP files: cut at many places, and with bytes changed
 full_cuts=100
@@ -126,7 +165,13 @@ script 'division by zero' 1 'script\.ars:1' 'export(block(1 / 0, 1, 1), "out.ste
 # --- sizes that make no solid
 for call in 'block(0, 1, 1)' 'block(1, -1, 1)' 'cylinder(0, 1)' 'cylinder(1, 0)' 'cylinder(-1, 1)' 'sphere(0)' 'sphere(-2)' \
   'torus(1, 0)' 'torus(0, 1)' 'cone(0, 0, 1)' 'cone(-1, 1, 1)' 'prism(2, 1, 1)' 'disk(0)' 'polyline([])' 'polygon([(0, 0, 0), (1, 0, 0)])' \
-  'scale(block(1, 1, 1), 0)' 'cylinder(1, 1, axis=(0, 0, 0))' 'mesh(block(1, 1, 1), size=-1)'; do
+  'scale(block(1, 1, 1), 0)' 'block(1e300, 1, 1)' 'block(1, 1, 1e-300)' 'block(1, 1, 1, at=(1e300, 0, 0))' 'block(1, 1, 1, at=(1e15, 0, 0))' \
+  'point((1e300, 0, 0))' 'nearest(block(1, 1, 1), (1e300, 0, 0), "face")' 'cut(block(1, 1, 1), (0, 0, 1e300), (0, 0, 1))' \
+  'cut(block(1, 1, 1), (0, 0, 0), (0, 0, 0))' 'translate(block(1, 1, 1), 1e300, 0, 0)' 'scale(block(1, 1, 1), 1e300)' \
+  'transform(block(1, 1, 1), [0] * 12)' 'grid(block(1, 1, 1), n=(1000000, 1000, 1000), step=(1, 1, 1))' 'prism(1000000, 1, 1)' \
+  'torus(1, 1)' 'revolve(disk(1, at=(0.5, 0, 0)), 90, axis=(0, 1, 0))' 'extrude(disk(1), (1, 0, 0))' 'spline([(0, 0, 0), (0, 0, 0)])' \
+  'line((0, 0, 0), (0, 0, 0))' 'polyhedron([(0, 0, 0)], [[0, 0, 9]])' 'render(half_space((0, 0, 0), (0, 0, 1)), "out.png")' \
+  'render(block(1, 1, 1), "out")' 'render(block(1, 1, 1) - block(1, 1, 1), "out.png")' 'mesh(block(1, 1, 1), size=1e-300)' 'cylinder(1, 1, axis=(0, 0, 0))' 'mesh(block(1, 1, 1), size=-1)'; do
   script "$call" 1 'script\.ars:2' '' "$call" 'export(block(1, 1, 1), "out.step")'
 done
 
@@ -149,6 +194,26 @@ i=0
 deep=
 while [ $i -lt 2000 ]; do deep="$deep("; i=$((i + 1)); done
 script 'deep nesting' 1 'script\.ars:1' "x = $deep"
+script 'many signs' 1 'script\.ars:1' "x = $(head -c 100000 /dev/zero | tr '\0' -)1"
+script 'a list without end' 1 'script\.ars:3' 'x = [1]' 'for i in range(99):' '    x = x + x'
+script 'a text without end' 1 'script\.ars:1' 'x = "a" * 10**15'
+script 'a number without end' 1 'script\.ars:1' "x = $(head -c 100000 /dev/zero | tr '\0' 9)"
+printf 'x = 1\000 + 2\n' >zero.ars
+program 'a zero byte in a script' 1 'zero\.ars:1' run zero.ars
+
+# --- what is unusual, but right
+: >nothing.ars
+program 'an empty script' 0 '' run nothing.ars
+cp "$flange" 'odd ä %s \n -.step'
+program 'an odd name' 0 '' convert 'odd ä %s \n -.step' 'out. ü %d.brep'
+cp "$flange" own.step
+program 'an output over its input' 0 '' convert own.step own.step
+program 'which is still a model' 0 '' check own.step
+mkfifo pipe
+cat own.step >pipe &
+program 'a pipe as a file' 0 '' convert pipe out.brep --input-format step --format brep
+program 'a plane far away' 0 '' cut own.step --plane '0, 0, 1e20, 0, 0, 1e200' --below out.brep
+program 'a device to write to' 0 '' convert own.step /dev/null --format step
 
 # --- a full disk
 disk() {
@@ -156,6 +221,12 @@ disk() {
   if [ "$(id -u)" = 0 ]; then set -- unshare --mount "$@"; else set -- unshare --user --map-root-user --mount "$@"; fi
   "$@"
 }
+if disk mount -t tmpfs -o size=64k tmpfs disk 2>/dev/null; then
+  status=0
+  disk sh -c 'mount -t tmpfs -o ro,size=8k tmpfs disk && exec "$0" convert own.step disk/out.step' "$ARESTA" \
+    >"$OUT/printed" 2>"$OUT/error" || status=$?
+  judge 'a disk that is read only' 3 'disk/out\.step' "$status"
+fi
 if disk mount -t tmpfs -o size=64k tmpfs disk 2>/dev/null; then
   for ending in step brep inp vtu png html; do
     case $ending in
@@ -188,7 +259,10 @@ interrupt() { # NAME LINES...
 interrupt 'fragmenting' 'from aresta import *' 'b = [sphere(1 + i / 40, at=(i / 10, i / 7 % 1, i / 3 % 1)) for i in range(60)]' \
   'export(fragment(b), "out.step")'
 interrupt 'meshing' 'from aresta import *' 'export(mesh(block(1, 1, 1) + sphere(1), size=0.005), "out.inp")'
+interrupt 'drawing' 'from aresta import *' 'render(fragment(block(9, 9, 9), sphere(3)), "out.png", width=16384, height=16384)'
+mkfifo silent.step
+interrupt 'waiting for a pipe' 'from aresta import *' 'export(import_file("silent.step"), "out.brep")'
 interrupt 'looping' 'from aresta import *' 'n = 0' 'for i in range(1000000000):' '    n = n + 1' 'export(block(1, 1, 1), "out.step")'
 
 echo "wrong_input: seed $ARESTA_SEED, cases $cases, wrong $wrong, refused $refused, skipped $skipped, coverage: files, usage," \
-  "damaged STEP ($n cuts, $n changes), random bytes, numbers, sizes, names, types, syntax, full disk, Ctrl-C"
+  "damaged STEP ($n cuts, $n changes), random bytes, numbers, sizes, names, types, syntax, odd but right, full disk, Ctrl-C"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "model/measure_shapes.h"
+#include "support/ellipsoid.h"
 
 using namespace aresta;
 using namespace aresta::testing;
@@ -119,6 +120,27 @@ TEST(FaceTrim, CurvedBoundaryIsAsPreciseAsAsked) {
     EXPECT_EQ(at(2 - 0.5e-7), Position::boundary);
     EXPECT_EQ(at(2 + 0.5e-7), Position::boundary);
     EXPECT_EQ(at(2 + 2e-7), Position::outside);
+  }
+}
+
+TEST(FaceTrim, ParametersThatRunRoundTheAxisSecond) {
+  // v runs round the axis and u ends in the poles: the seam's two images lie a turn apart, on either side of the poles.
+  ModelBuilder b;
+  test::add_ellipsoid(b, {3, 2, 0.4});
+  test::add_ellipsoid(b, {2, 1, 0.0, false});
+  const Model hollow = *b.build(Context{});
+  ASSERT_EQ(hollow.regions().size(), 1u) << "the inner face is inside the outer one";
+  for (const FaceId f : hollow.topology().faces()) {
+    const Range2 box = FaceTrim(hollow, f).box();
+    EXPECT_NEAR(box.v.length(), 4, 1e-12);
+    compare(hollow, f, {0, 2}, {0, 4}, [](Vec3) { return true; });
+  }
+  const RayCaster caster(hollow);
+  for (const double angle : {0.3, 1.9, 3.6, 5.5}) {
+    const auto hits = caster.cast({0.1, 0.05, 0.02}, normalized(Vec3{std::cos(angle), std::sin(angle), 0.2}));
+    ASSERT_EQ(hits.size(), 2u) << angle;
+    EXPECT_EQ(hits[0].face, FaceId(std::size_t{1}));
+    EXPECT_EQ(hits[1].face, FaceId(std::size_t{0}));
   }
 }
 

@@ -195,6 +195,11 @@ expect([count(above), count(below), volume(above), volume(below)], [2, 2, 3, 1])
 expect(count(section(pair, (0, 0, 0.5), (0, 0, 1)), "faces"), 2)
 above, below = cut(pair, (0, 0, 9), (0, 0, 1))
 expect([count(above), count(below)], [0, 2])
+for z, k in [(1e20, 1), (-1e30, 0), (1e3, 1)]:
+    for long in [1, 1e300, 1e-300]:
+        halves = cut(pair, (5, 7, z), (0, 0, long))
+        expect([volume(h) for h in halves], [volume(pair) * (1 - k), volume(pair) * k])
+        expect(count(section(pair, (5, 7, z), (0, 0, long)), "faces"), 0)
 above, below = cut(pair, (0, 0, 2), (0, 0, 1))
 expect([count(above), count(below)], [0, 2])
 above, below = cut(line((0, 0, -1), (0, 0, 3)), (0, 0, 0), (0, 0, 1))
@@ -280,7 +285,7 @@ const struct {
     {"x = nearest(line((0, 0, 0), (1, 0, 0)), (0, 0, 0), 'face')",
      "t.ars:1:5: model.unknown_entity: nearest: the shape has no face"},
     {"x = nearest(block(1, 1, 1), (0, 0, 0), 'fase')",
-     "t.ars:1:5: command.range: nearest: kind must be one of 'vertex', 'edge', 'face', 'region', not 'fase', a text; "
+     "t.ars:1:5: command.range: nearest: kind must be one of 'vertex', 'edge', 'face', 'region', not 'fase'; "
      "try: 'face'"},
     {"x = count(block(1, 1, 1), 'holes')", "t.ars:1:5: command.range: count: what must be one of"},
     {"x = mirror(block(1, 1, 1), 'up')",

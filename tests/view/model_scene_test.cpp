@@ -46,6 +46,18 @@ TEST(ModelScene, CylinderWithColoursAndNames) {
   }
 }
 
+TEST(ModelScene, EdgesHaveTheirColoursUnlessTooPale) {
+  auto made = block(1, 2, 3);
+  ASSERT_TRUE(made.ok());
+  const EdgeId green(std::size_t{3}), white(std::size_t{4});
+  made->labels.attributes[green]["color"] = std::string("#208040");
+  made->labels.attributes[white]["color"] = std::string("#fffff0");
+  auto scene = make_scene(*made);
+  ASSERT_TRUE(scene.ok()) << scene.error().to_line();
+  EXPECT_EQ(edge_of(*scene, green).color, (draw::Color{0x20, 0x80, 0x40, 255}));
+  EXPECT_EQ(edge_of(*scene, white).color, draw::EdgeLine{}.color);
+}
+
 TEST(ModelScene, BoxHasNoSmoothEdge) {
   auto made = block(1, 2, 3);
   ASSERT_TRUE(made.ok());
