@@ -58,6 +58,6 @@ int main(int argument_count, char** arguments) {
   std::cout << "operators: seed " << first_seed << ", cases " << tally.applied << ", wrong " << wrong << ", refused "
             << tally.refused << ", skipped 0, coverage: " << runs << " runs from " << std::min(runs, models.size())
             << " models, " << rows - unreached.size() << " of " << rows << " listed sub-cases and "
-            << tally.sub_cases.size() << " in all, " << tally.no_space << " regions divided for want of space\n";
+            << tally.sub_cases.size() << " in all, " << tally.no_space << " runs ended for want of space\n";
   return wrong == 0 ? 0 : 1;
 }

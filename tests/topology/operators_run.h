@@ -14,14 +14,14 @@ namespace aresta {
 struct OperatorsTally {
   std::size_t applied = 0;
   std::size_t refused = 0;
-  /// Operators that left a region divided: in complexes that have no place in space (a closed surface in which a disc
-  /// outside and a disc inside share one boundary) no choice of regions is right when a face goes. Runs end there. That
-  /// there was no place is shown by homology each time: the faces enclose more voids than there are finite regions.
+  /// Operators that left what has no place in space (a closed surface in which a disc outside and a disc inside share
+  /// one boundary): operators see to the order about each vertex, not to the whole. Runs end there. That there is no
+  /// place is shown by homology each time: the faces enclose more voids than there are finite regions.
   std::size_t no_space = 0;
   std::map<std::string, std::size_t> sub_cases;  ///< "M_EV mev"
   std::map<std::string, std::size_t> refusals;   ///< "M_EV topology.not_in_region"
   std::map<std::string, std::size_t> displaced;  ///< "M_F mflrs": the first in a run that left no place in space
-  std::map<std::string, std::size_t> divided;    ///< "K_F kfl", of no_space
+  std::map<std::string, std::size_t> ended;      ///< "M_F mfl", of no_space
   std::vector<std::string> wrong;                ///< messages
 
   /// All, one to a line.
