@@ -429,7 +429,7 @@ Result<std::optional<Fragment>> by_identity(const std::vector<std::shared_ptr<co
   return std::optional<Fragment>(std::move(*joined));
 }
 
-Result<Fragment> fragment_of_one(std::shared_ptr<const Model> model, const FragmentOptions& options,
+Result<Fragment> fragment_of_one(const std::shared_ptr<const Model>& model, const FragmentOptions& options,
                                  const Context& context) {
   ARESTA_TRY(const bool meets, meets_unshared(*model, context));
   if (!meets) {

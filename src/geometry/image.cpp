@@ -61,14 +61,14 @@ class ImageFinder {
   /// The exact image's point and derivative; nothing where the surface is singular and nothing is near.
   std::optional<Knot> knot(double t) const {
     const CurveJet c = curve_.jet(t);
-    Vec2 uv = foot(t);
-    SurfaceJet s = surface_.jet(uv);
-    const double uu = dot(s.du, s.du), uv_ = dot(s.du, s.dv), vv = dot(s.dv, s.dv);
-    const double determinant = uu * vv - uv_ * uv_;
+    const Vec2 uv = foot(t);
+    const SurfaceJet s = surface_.jet(uv);
+    const double uu = dot(s.du, s.du), cross_term = dot(s.du, s.dv), vv = dot(s.dv, s.dv);
+    const double determinant = uu * vv - cross_term * cross_term;
     const double larger = std::max(uu, vv);
     if (!(determinant > 1e-14 * larger * larger)) return std::nullopt;
     const double ru = dot(c.d1, s.du), rv = dot(c.d1, s.dv);
-    return Knot{uv, {(vv * ru - uv_ * rv) / determinant, (uu * rv - uv_ * ru) / determinant}};
+    return Knot{uv, {(vv * ru - cross_term * rv) / determinant, (uu * rv - cross_term * ru) / determinant}};
   }
 
   std::optional<Curve2> hermite(int spans) const {

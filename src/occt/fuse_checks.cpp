@@ -60,8 +60,8 @@ Status distinct_edges(const ShapeMaps& maps, double tolerance) {
   for (int e = 1; e <= maps.edges.Extent(); ++e) {
     TopoDS_Vertex a, b;
     TopExp::Vertices(TopoDS::Edge(maps.edges(e)), a, b);
-    const auto ends = std::minmax(maps.vertices.FindIndex(a), maps.vertices.FindIndex(b));
-    between[ends].push_back(e);
+    const int first = maps.vertices.FindIndex(a), last = maps.vertices.FindIndex(b);
+    between[std::minmax(first, last)].push_back(e);
   }
   for (const auto& [ends, group] : between) {
     for (std::size_t i = 0; i < group.size(); ++i) {
