@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
 #include <cstring>
+#include <ctime>
 
 namespace aresta::app {
 
@@ -18,8 +20,22 @@ char temporary_file[4096];
 char temporary_folder[4096];
 std::atomic<bool> has_temporary{false};
 
+std::atomic<std::int64_t> first_time{0};
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+
+std::int64_t milliseconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{1000} * now.tv_sec + now.tv_nsec / 1000000;
+}
+
 extern "C" void on_interrupt(int) {
-  if (!interrupted.exchange(true)) return;
+  if (!interrupted.exchange(true)) {
+    first_time = milliseconds();
+    return;
+  }
+  // One signal may come twice, as timeout(1) sends it to the program and to its process group.
+  if (milliseconds() - first_time < 250) return;
   if (has_temporary) {
     ::unlink(temporary_file);
     ::rmdir(temporary_folder);

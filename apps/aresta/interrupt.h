@@ -7,7 +7,8 @@
 
 namespace aresta::app {
 
-/// Becomes true at the first interrupt (SIGINT, SIGTERM or SIGHUP). A second one exits with status 130.
+/// Becomes true at the first interrupt (SIGINT, SIGTERM or SIGHUP). A second one, a quarter of a second or
+/// more later, exits with status 130.
 const std::atomic<bool>& watch_interrupts();
 
 /// A file in a folder of its own that a second interrupt removes before it ends the program; one at a time.

@@ -170,6 +170,14 @@ TEST(Run, InterruptsEndIt) {
   }
 }
 
+TEST(Run, AnInterruptSentTwiceIsOne) {
+  const Shell shell("apps_interrupt_twice");
+  const std::string start = "mkfifo silent.step; '" + test::program().string() + "' info silent.step & p=$!; sleep 1; ";
+  const Outcome o = shell(start + "kill -INT $p; kill -INT $p; kill -TERM $p; wait $p");
+  EXPECT_EQ(o.status, 130) << o.err;
+  EXPECT_NE(o.err.find("aresta: cancelled: "), std::string::npos) << o.err;
+}
+
 TEST(Run, AnInterruptStopsALongOperation) {
   const Shell shell("apps_interrupt_operation");
   put(shell.folder() / "long.ars",

@@ -251,9 +251,20 @@ fi
 interrupt() { # NAME LINES...
   name=$1
   shift
-  printf '%s\n' "$@" >script.ars
+  # The first line tells that the program is at work, however busy the machine is.
+  printf '%s\n' 'export(point((0, 0, 0)), "begun.brep")' "$@" >script.ars
+  rm -f begun.brep
   status=0
-  timeout --preserve-status -k 20 -s INT 1.5 "$ARESTA" run script.ars >"$OUT/printed" 2>"$OUT/error" || status=$?
+  timeout --preserve-status -k 20 -s INT 120 "$ARESTA" run script.ars >"$OUT/printed" 2>"$OUT/error" &
+  running=$!
+  waited=0
+  while [ ! -e begun.brep ] && [ $waited -lt 600 ]; do
+    sleep 0.1
+    waited=$((waited + 1))
+  done
+  sleep 1
+  kill -INT $running
+  wait $running || status=$?
   judge "Ctrl-C while $name" 130 '.' "$status"
 }
 interrupt 'fragmenting' 'from aresta import *' 'b = [sphere(1 + i / 40, at=(i / 10, i / 7 % 1, i / 3 % 1)) for i in range(60)]' \
