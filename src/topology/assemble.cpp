@@ -57,22 +57,28 @@ Status check_loops(const Incidence& in) {
 }
 
 Status check_radial(const Incidence& in, const std::vector<std::uint32_t>& first_use) {
-  std::vector<std::uint32_t> uses(in.edge_count(), 0);
-  for (const std::uint32_t code : in.coedges) ++uses[code >> 1];
+  std::size_t covered = 0;
   for (std::uint32_t e = 0; e < in.edge_count(); ++e) {
     const std::uint32_t first = first_use[e];
     if (first == none) continue;
-    std::uint32_t c = first, length = 0;
+    std::uint32_t c = first;
     do {
-      if (c >= in.coedges.size() || (in.coedges[c] >> 1) != e || length >= uses[e]) {
+      // A cycle that comes back to another coedge than its first goes on until more are covered than there are.
+      if (c >= in.coedges.size() || (in.coedges[c] >> 1) != e || covered >= in.coedges.size()) {
         return bad("the radial cycle of an edge does not go once through its coedges", {EdgeId(e)});
       }
-      ++length;
+      ++covered;
       c = in.radial_next[c];
     } while (c != first);
-    if (length != uses[e]) return bad("the radial cycle of an edge leaves coedges out", {EdgeId(e)});
   }
-  return {};
+  if (covered == in.coedges.size()) return {};
+  std::vector<bool> is_covered(in.coedges.size(), false);
+  for (const std::uint32_t first : first_use) {
+    for (std::uint32_t c = first; c != none && !is_covered[c]; c = in.radial_next[c]) is_covered[c] = true;
+  }
+  const auto left_out =
+      static_cast<std::size_t>(std::find(is_covered.begin(), is_covered.end(), false) - is_covered.begin());
+  return bad("the radial cycle of an edge leaves coedges out", {EdgeId(in.coedges[left_out] >> 1)});
 }
 
 std::uint32_t side_after(const Incidence& in, std::uint32_t face, std::uint32_t c) {
@@ -82,8 +88,7 @@ std::uint32_t side_before(const Incidence& in, std::uint32_t face, std::uint32_t
   return 2 * face + (~in.coedges[c] & 1u);
 }
 
-Status check_regions(const Incidence& in, const std::vector<std::uint32_t>& face_of_coedge,
-                     const std::vector<std::uint32_t>& first_use) {
+Status check_regions(const Incidence& in, const std::vector<std::uint32_t>& first_use) {
   if (in.face_use_region.size() != 2 * std::size_t{in.face_count()} || in.edge_region.size() != in.edge_count() ||
       in.vertex_region.size() != in.vertex_count || in.region_filled.size() != in.region_count ||
       in.region_count == 0) {
@@ -91,14 +96,6 @@ Status check_regions(const Incidence& in, const std::vector<std::uint32_t>& face
   }
   for (std::uint32_t u = 0; u < in.face_use_region.size(); ++u) {
     if (in.face_use_region[u] >= in.region_count) return bad("a side of a face lies in no region", {FaceId(u / 2)});
-  }
-  for (std::uint32_t c = 0; c < in.coedges.size(); ++c) {
-    const std::uint32_t next = in.radial_next[c];
-    if (in.face_use_region[side_after(in, face_of_coedge[c], c)] !=
-        in.face_use_region[side_before(in, face_of_coedge[next], next)]) {
-      return bad("two sides of one sector about an edge lie in different regions",
-                 {EdgeId(in.coedges[c] >> 1), FaceId(face_of_coedge[c]), FaceId(face_of_coedge[next])});
-    }
   }
   std::vector<bool> vertex_used(in.vertex_count, false);
   for (const auto& e : in.edges) vertex_used[e[0]] = vertex_used[e[1]] = true;
@@ -137,10 +134,12 @@ std::vector<std::uint32_t> loop_of_coedge(const Incidence& in) {
 }
 
 static std::vector<std::uint32_t> face_of_coedge(const Incidence& in) {
-  const auto face = face_of_loop(in);
-  auto result = loop_of_coedge(in);
-  for (auto& item : result) item = face[item];
-  return result;
+  std::vector<std::uint32_t> face(in.coedges.size());
+  for (std::uint32_t f = 0; f < in.face_count(); ++f) {
+    const std::uint32_t end = in.loop_begin[in.face_begin[f + 1]];
+    for (std::uint32_t c = in.loop_begin[in.face_begin[f]]; c < end; ++c) face[c] = f;
+  }
+  return face;
 }
 
 std::vector<std::uint32_t> side_components(const Incidence& in) {
@@ -165,16 +164,25 @@ static std::vector<std::uint32_t> first_use_of_edge(const Incidence& in) {
 namespace {
 
 /// What makes a shell, as items: face-uses, then edges (as wires), then vertices (isolated). Needs an incidence that
-/// passed the checks.
+/// passed the checks above.
 class ShellItems {
  public:
   ShellItems(const Incidence& in, const std::vector<std::uint32_t>& face_of_coedge)
-      : in_(in), face_(face_of_coedge), sets_(item_count(in)) {
-    for (std::uint32_t c = 0; c < in.coedges.size(); ++c) {
-      const std::uint32_t next = in.radial_next[c];
-      sets_.unite(side_after(in, face_[c], c), side_before(in, face_[next], next));
+      : in_(in), face_(face_of_coedge), sets_(item_count(in)) {}
+
+  /// Joins what is connected. Refuses sides of one sector in two regions.
+  Status join() {
+    for (std::uint32_t c = 0; c < in_.coedges.size(); ++c) {
+      const std::uint32_t next = in_.radial_next[c];
+      const std::uint32_t after = side_after(in_, face_[c], c), before = side_before(in_, face_[next], next);
+      if (in_.face_use_region[after] != in_.face_use_region[before]) {
+        return bad("two sides of one sector about an edge lie in different regions",
+                   {EdgeId(in_.coedges[c] >> 1), FaceId(face_[c]), FaceId(face_[next])});
+      }
+      sets_.unite(after, before);
     }
     if (vertices_may_join()) join_at_vertices();
+    return {};
   }
 
   static std::uint32_t face_uses(const Incidence& in) { return 2 * in.face_count(); }
@@ -267,9 +275,8 @@ class ShellItems {
 /// Writes the records of an incidence that passed the checks.
 class Assembler {
  public:
-  Assembler(const Incidence& in, const std::vector<std::uint32_t>& face_of_coedge,
-            const std::vector<std::uint32_t>& first_use)
-      : in_(in), face_of_coedge_(face_of_coedge), first_use_(first_use) {}
+  Assembler(const Incidence& in, const std::vector<std::uint32_t>& first_use, ShellItems& items)
+      : in_(in), first_use_(first_use), items_(items) {}
 
   Complex build() {
     write_edges();
@@ -337,11 +344,14 @@ class Assembler {
     const auto regions = k_.regions_.write_all();
     for (std::uint32_t r = 0; r < in_.region_count; ++r) regions[r].filled = in_.region_filled[r] ? 1 : 0;
 
-    ShellItems items(in_, face_of_coedge_);
-    std::vector<std::uint32_t> shell_of_smallest(items.size(), none);
+    k_.faces_.generate(in_.face_count(), [&](std::size_t f) { return Complex::FaceRecord{in_.face_begin[f]}; });
+    const auto faces = k_.faces_.write_all();
+    const std::uint32_t uses = ShellItems::face_uses(in_);
+    std::vector<std::uint32_t> shell_of_other(items_.size() - uses, none);  // of a smallest item that is no face-use
     std::vector<Complex::ShellRecord> shells;
     const auto shell_of = [&](std::uint32_t item, std::uint32_t region) {
-      auto& shell = shell_of_smallest[items.smallest(item)];
+      const std::uint32_t smallest = items_.smallest(item);
+      auto& shell = smallest < uses ? faces[smallest / 2].shell[smallest % 2] : shell_of_other[smallest - uses];
       if (shell == none) {
         shell = static_cast<std::uint32_t>(shells.size());
         auto& first = regions[region].first_shell;
@@ -359,10 +369,8 @@ class Assembler {
       return shell;
     };
 
-    k_.faces_.generate(in_.face_count(), [&](std::size_t f) { return Complex::FaceRecord{in_.face_begin[f]}; });
-    const auto faces = k_.faces_.write_all();
     std::vector<std::uint32_t> last_use;  // per shell
-    for (std::uint32_t u = 0; u < ShellItems::face_uses(in_); ++u) {
+    for (std::uint32_t u = 0; u < uses; ++u) {
       const std::uint32_t shell = shell_of(u, in_.face_use_region[u]);
       if (last_use.size() < shells.size()) last_use.push_back(none);
       faces[u / 2].shell[u % 2] = shell;
@@ -404,7 +412,8 @@ class Assembler {
   }
 
   const Incidence& in_;
-  const std::vector<std::uint32_t>&face_of_coedge_, &first_use_;
+  const std::vector<std::uint32_t>& first_use_;
+  ShellItems& items_;
   Complex k_;
 };
 
@@ -413,9 +422,11 @@ Result<Complex> assemble(const Incidence& in) {
   if (in.radial_next.size() != in.coedges.size()) return bad("the radial order does not cover all coedges", {});
   const auto first_use = first_use_of_edge(in);
   ARESTA_CHECK(check_radial(in, first_use));
+  ARESTA_CHECK(check_regions(in, first_use));
   const auto face = face_of_coedge(in);
-  ARESTA_CHECK(check_regions(in, face, first_use));
-  return Assembler(in, face, first_use).build();
+  ShellItems items(in, face);
+  ARESTA_CHECK(items.join());
+  return Assembler(in, first_use, items).build();
 }
 
 }  // namespace aresta

@@ -21,40 +21,35 @@ class EdgeTable {
         ++begin_[std::min(corners[c], corners[c + 1 < last ? c + 1 : first])];
       }
     }
-    std::size_t slots = 0;
-    for (std::size_t& item : begin_) {
-      const std::size_t pairs = item;
+    std::uint32_t slots = 0;
+    for (std::uint32_t& item : begin_) {
+      const std::uint32_t pairs = item;
       item = slots;
       slots += pairs <= short_table ? pairs : 2 * pairs;
     }
-    slots_.resize(slots);
+    slots_.resize(slots, none);
     edges_.reserve(corners.size() / 2 + 1);
   }
 
   std::uint32_t number(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t low = std::min(a, b), high = std::max(a, b);
-    Slot* const first = slots_.data() + begin_[low];
-    const std::size_t size = begin_[low + 1] - begin_[low];
+    std::uint32_t* const first = slots_.data() + begin_[low];
+    const std::uint32_t size = begin_[low + 1] - begin_[low];
     // Fibonacci hashing; a short table is searched from its start.
-    std::size_t i = size <= short_table ? 0 : (std::uint64_t{high * 0x9e3779b9u} * size) >> 32;
-    while (first[i].edge != none && first[i].high != high) i = i + 1 < size ? i + 1 : 0;
-    if (first[i].edge == none) {
-      first[i] = {high, static_cast<std::uint32_t>(edges_.size())};
+    std::uint32_t i = size <= short_table ? 0 : (std::uint64_t{high * 0x9e3779b9u} * size) >> 32;
+    while (first[i] != none && edges_[first[i]][1] != high) i = i + 1 < size ? i + 1 : 0;
+    if (first[i] == none) {
+      first[i] = static_cast<std::uint32_t>(edges_.size());
       edges_.push_back({low, high});
     }
-    return first[i].edge;
+    return first[i];
   }
 
-  std::size_t size() const { return edges_.size(); }
   std::vector<std::array<std::uint32_t, 2>> take() { return std::move(edges_); }
 
  private:
-  static constexpr std::size_t short_table = 8;
-  struct Slot {
-    std::uint32_t high = none, edge = none;
-  };
-  std::vector<std::size_t> begin_;
-  std::vector<Slot> slots_;
+  static constexpr std::uint32_t short_table = 8;
+  std::vector<std::uint32_t> begin_, slots_;  // per smaller vertex its slots; in each an edge
   std::vector<std::array<std::uint32_t, 2>> edges_;
 };
 
@@ -75,26 +70,19 @@ PolygonEdges edges_of_polygons(std::uint32_t vertex_count, std::span<const std::
   return result;
 }
 
-Result<Incidence> incidence_of_polygons(std::uint32_t vertex_count, std::span<const std::uint32_t> corners,
-                                        std::span<const std::uint32_t> begin) {
-  if (begin.empty() || begin.front() != 0 || begin.back() != corners.size()) {
-    return Error{errors::bad_incidence, "the polygons do not cover the corners"};
-  }
-  for (std::size_t p = 0; p + 1 < begin.size(); ++p) {
-    if (begin[p] >= begin[p + 1]) return Error{errors::bad_incidence, "a polygon has no corners", {FaceId(p)}};
-  }
+static Result<Incidence> incidence_of(std::uint32_t vertex_count, std::span<const std::uint32_t> corners,
+                                      std::vector<std::uint32_t> begin) {
   for (const std::uint32_t v : corners) {
     if (v >= vertex_count) return Error{errors::bad_incidence, "a corner names a vertex that does not exist"};
   }
-
   PolygonEdges found = edges_of_polygons(vertex_count, corners, begin);
   Incidence in;
   in.vertex_count = vertex_count;
   in.edges = std::move(found.edges);
   in.coedges = std::move(found.of_corner);
-  in.loop_begin.assign(begin.begin(), begin.end());
-  in.loop_vertex.assign(begin.size() - 1, none);
-  in.face_begin.resize(begin.size());
+  in.loop_begin = std::move(begin);
+  in.loop_vertex.assign(in.loop_begin.size() - 1, none);
+  in.face_begin.resize(in.loop_begin.size());
   for (std::uint32_t f = 0; f < in.face_begin.size(); ++f) in.face_begin[f] = f;
   in.radial_next.resize(corners.size());
   std::vector<std::uint32_t> last_use(in.edge_count(), none);
@@ -113,12 +101,24 @@ Result<Incidence> incidence_of_polygons(std::uint32_t vertex_count, std::span<co
   return in;
 }
 
+Result<Incidence> incidence_of_polygons(std::uint32_t vertex_count, std::span<const std::uint32_t> corners,
+                                        std::span<const std::uint32_t> begin) {
+  if (begin.empty() || begin.front() != 0 || begin.back() != corners.size()) {
+    return Error{errors::bad_incidence, "the polygons do not cover the corners"};
+  }
+  for (std::size_t p = 0; p + 1 < begin.size(); ++p) {
+    if (begin[p] >= begin[p + 1]) return Error{errors::bad_incidence, "a polygon has no corners", {FaceId(p)}};
+  }
+  return incidence_of(vertex_count, corners, {begin.begin(), begin.end()});
+}
+
 Result<Incidence> incidence_of_triangles(std::uint32_t vertex_count,
                                          std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::vector<std::uint32_t> begin(triangles.size() + 1);
   for (std::uint32_t t = 0; t < begin.size(); ++t) begin[t] = 3 * t;
-  return incidence_of_polygons(
-      vertex_count, std::span(triangles.empty() ? nullptr : triangles.front().data(), 3 * triangles.size()), begin);
+  return incidence_of(vertex_count,
+                      std::span(triangles.empty() ? nullptr : triangles.front().data(), 3 * triangles.size()),
+                      std::move(begin));
 }
 
 void enclose_one_region(Incidence& in) {
