@@ -194,7 +194,7 @@ class Complex {
 
  private:
   friend class Assembler;  // writes all records at once (assemble.cpp)
-  friend class Editor;  // what operators change the records with (editor.h)
+  friend class Editor;     // what operators change the records with (editor.h)
   friend struct ComplexDifference;
   friend struct ComplexRows;     // reads the records as they are (rows_detail.h)
   friend struct ComplexBreaker;  // breaks them, in tests of the checker
