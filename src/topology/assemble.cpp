@@ -170,19 +170,20 @@ class ShellItems {
   ShellItems(const Incidence& in, const std::vector<std::uint32_t>& face_of_coedge)
       : in_(in), face_(face_of_coedge), sets_(item_count(in)) {}
 
-  /// Joins what is connected. Refuses sides of one sector in two regions.
+  /// Joins what is connected. Goes on past an error, which is about sides of one sector in two regions.
   Status join() {
+    Status status;
     for (std::uint32_t c = 0; c < in_.coedges.size(); ++c) {
       const std::uint32_t next = in_.radial_next[c];
       const std::uint32_t after = side_after(in_, face_[c], c), before = side_before(in_, face_[next], next);
-      if (in_.face_use_region[after] != in_.face_use_region[before]) {
-        return bad("two sides of one sector about an edge lie in different regions",
-                   {EdgeId(in_.coedges[c] >> 1), FaceId(face_[c]), FaceId(face_[next])});
+      if (in_.face_use_region[after] != in_.face_use_region[before] && status.ok()) {
+        status = bad("two sides of one sector about an edge lie in different regions",
+                     {EdgeId(in_.coedges[c] >> 1), FaceId(face_[c]), FaceId(face_[next])});
       }
       sets_.unite(after, before);
     }
-    if (vertices_may_join()) join_at_vertices();
-    return {};
+    if (!status.ok() || vertices_may_join()) join_at_vertices();
+    return status;
   }
 
   static std::uint32_t face_uses(const Incidence& in) { return 2 * in.face_count(); }
@@ -416,6 +417,15 @@ class Assembler {
   ShellItems& items_;
   Complex k_;
 };
+
+/// For tests of the checker: any incidence whose indices are in range.
+Complex assemble_unchecked(const Incidence& in) {
+  const auto first_use = first_use_of_edge(in);
+  const auto face = face_of_coedge(in);
+  ShellItems items(in, face);
+  static_cast<void>(items.join());
+  return Assembler(in, first_use, items).build();
+}
 
 Result<Complex> assemble(const Incidence& in) {
   ARESTA_CHECK(check_loops(in));
