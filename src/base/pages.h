@@ -35,6 +35,29 @@ class Pages {
     return writable_page(i >> page_bits)[i & (page_size - 1)];
   }
 
+  /// All items to write to, without the look for snapshots that edit() takes each time.
+  class Writer {
+   public:
+    T& operator[](std::size_t i) const {
+      assert(i < size_);
+      return pages_[i >> page_bits][i & (page_size - 1)];
+    }
+
+   private:
+    friend class Pages;
+    std::vector<T*> pages_;
+    std::size_t size_ = 0;
+  };
+
+  /// For writing in bulk: copies every page that a snapshot shares. Valid until the next copy of this object or change
+  /// of its size.
+  Writer write_all() {
+    Writer writer;
+    writer.size_ = size_;
+    for (std::size_t p = 0; p < table_->size(); ++p) writer.pages_.push_back(writable_page(p).get());
+    return writer;
+  }
+
   void push_back(const T& item) {
     const T kept = item;  // it may lie in a page that moves
     if (size_ == capacity_) reserve_one_more();
@@ -44,20 +67,16 @@ class Pages {
 
   void resize(std::size_t n, const T& item = T{}) {
     const T kept = item;
-    while (capacity_ < n) {
-      if (capacity_ == 0) {
-        add_page(std::min(n, page_size));
-      } else {
-        reserve_one_more();
-      }
-    }
-    for (std::size_t i = size_; i < n;) {
-      const std::size_t page = i >> page_bits, last = std::min(n, (page + 1) << page_bits);
+    while (capacity_ != 0 && capacity_ < std::min(n, page_size)) reserve_one_more();
+    for (std::size_t i = size_; i < std::min(n, capacity_);) {
+      const std::size_t page = i >> page_bits, last = std::min({n, capacity_, (page + 1) << page_bits});
       size_ = last;
       T* const items = writable_page(page).get();
       std::fill(items + (i & (page_size - 1)), items + (last - (page << page_bits)), kept);
       i = last;
     }
+    while (capacity_ < n) add_page(capacity_ == 0 ? std::min(n, page_size) : page_size, kept);
+    size_ = std::max(size_, n);
     if (n < size_) {
       size_ = n;
       const std::size_t pages = (n + page_size - 1) >> page_bits;
@@ -68,6 +87,20 @@ class Pages {
     }
   }
 
+  /// n items instead of those that are there, item i being make(i): in one pass over memory.
+  template <class Make>
+  void generate(std::size_t n, Make&& make) {
+    *this = Pages();
+    table_->reserve((n + page_size - 1) >> page_bits);
+    while (size_ < n) {
+      const std::size_t count = std::min(n - size_, page_size);
+      add_page(capacity_ == 0 ? count : page_size);
+      T* const items = table_->back().get();
+      for (std::size_t i = 0; i < count; ++i) items[i] = make(size_ + i);
+      size_ += count;
+    }
+  }
+
   void clear() { *this = Pages(); }
 
   /// Bytes allocated by this object, shared pages included.
@@ -75,15 +108,15 @@ class Pages {
     return capacity_ * sizeof(T) + table_->size() * control_block_bytes + table_->capacity() * sizeof(PagePtr);
   }
 
-  /// How many pages this object does not share with `other`, and how many bytes: what a change since a snapshot has
-  /// cost.
+  /// How many pages this object does not share with `other`, and how many bytes, its own table included: what a change
+  /// since a snapshot has cost.
   std::size_t pages_not_shared_with(const Pages& other) const {
     std::size_t count = 0;
     for (std::size_t p = 0; p < table_->size(); ++p) count += !shares_page(p, other);
     return count;
   }
   std::size_t bytes_not_shared_with(const Pages& other) const {
-    std::size_t bytes = 0;
+    std::size_t bytes = table_ == other.table_ ? 0 : table_->size() * sizeof(PagePtr);
     for (std::size_t p = 0; p < table_->size(); ++p) {
       if (!shares_page(p, other)) bytes += items_in_page(p) * sizeof(T);
     }
@@ -116,8 +149,8 @@ class Pages {
   /// How many items page p has room for.
   std::size_t items_in_page(std::size_t p) const { return p == 0 ? std::min(capacity_, page_size) : page_size; }
 
-  void add_page(std::size_t items) {
-    writable_table().push_back(std::make_shared<T[]>(items));
+  void add_page(std::size_t items, const T& item = T{}) {
+    writable_table().push_back(std::make_shared<T[]>(items, item));
     capacity_ += items;
   }
 

@@ -26,6 +26,7 @@ class UnionFind {
 
   /// Joins the sets of a and b; false when they were one already.
   bool unite(std::size_t a, std::size_t b) {
+    if (parent_[a] == parent_[b]) return false;  // most often, where many join
     std::uint32_t x = find(a), y = find(b);
     if (x == y) return false;
     if (y < x) std::swap(x, y);

@@ -8,6 +8,7 @@
 
 #include "exchange/errors.h"
 #include "model/builder.h"
+#include "topology/polygon_mesh.h"
 
 namespace aresta {
 
@@ -222,21 +223,13 @@ class SoupImport {
   }
 
   Status find_edges() {
-    Numbering<Pair, PairHash> numbers(corners_.size() / 2);
-    std::vector<int> balance;
-    edge_of_.resize(corners_.size());
-    for (std::size_t f = 0; f + 1 < faces_.size(); ++f) {
-      if (f % 65536 == 0) ARESTA_CHECK(context_.step(0.2, "finding edges"));
-      const auto p = polygon(f);
-      for (std::size_t i = 0; i < p.size(); ++i) {
-        const std::uint32_t a = p[i], b = p[(i + 1) % p.size()];
-        const auto [edge, is_new] = numbers.number({std::min(a, b), std::max(a, b)});
-        if (is_new) balance.push_back(0);
-        balance[edge] += a < b ? 1 : -1;
-        edge_of_[faces_[f] + i] = edge;
-      }
-    }
-    edges_ = numbers.keys();
+    ARESTA_CHECK(context_.step(0.2, "finding edges"));
+    PolygonEdges found = edges_of_polygons(static_cast<std::uint32_t>(points_.size()), corners_, faces_);
+    edges_ = std::move(found.edges);
+    edge_of_ = std::move(found.of_corner);
+    std::vector<int> balance(edges_.size(), 0);
+    for (std::size_t c = 0; c < corners_.size(); ++c)
+      balance[edge_of_[c]] += corners_[c] == edges_[edge_of_[c]][0] ? 1 : -1;
     open_edges_ = static_cast<std::size_t>(std::count_if(balance.begin(), balance.end(), [](int b) { return b != 0; }));
     return {};
   }

@@ -44,7 +44,6 @@ struct EdgeEnd {
 
 enum class EdgeUseKind { wire, lamina, manifold, non_manifold };
 
-struct Incidence;
 struct Compaction;
 
 class Complex {
@@ -196,8 +195,8 @@ class Complex {
   std::size_t bytes_not_shared_with(const Complex& earlier) const;
 
  private:
-  friend Complex assemble_unchecked(const Incidence& incidence);
-  friend class Editor;  // what operators change the records with (editor.h)
+  friend class Assembler;  // writes all records at once (assemble.cpp)
+  friend class Editor;     // what operators change the records with (editor.h)
   friend struct ComplexDifference;
   friend Compaction compact(Complex& k);  // renumbers them (compaction.h)
   friend struct ComplexRows;              // reads the records as they are (rows_detail.h)
