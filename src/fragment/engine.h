@@ -33,4 +33,7 @@ class FragmentEngine {
 /// dimensions, plane or curved.
 const FragmentEngine& occt_engine();
 
+/// Straight edges and plane faces only: the exact engine of planar/, without a kernel.
+const FragmentEngine& planar_engine();
+
 }  // namespace aresta

@@ -414,6 +414,14 @@ Result<Fragment> finish(std::vector<std::shared_ptr<const Model>> operands, Impr
   return result;
 }
 
+/// The one asked for; else the planar one wherever it serves.
+const FragmentEngine& engine_for(std::span<const std::shared_ptr<const Model>> operands,
+                                 const FragmentOptions& options) {
+  if (options.engine != nullptr) return *options.engine;
+  const bool planar = std::all_of(operands.begin(), operands.end(), [](const auto& m) { return m->is_planar(); });
+  return planar ? planar_engine() : occt_engine();
+}
+
 /// Parts that meet only in what they have as wholes need no intersecting.
 Result<std::optional<Fragment>> by_identity(const std::vector<std::shared_ptr<const Model>>& operands,
                                             const FragmentOptions& options, const Context& context) {
@@ -439,7 +447,7 @@ Result<Fragment> fragment_of_one(const std::shared_ptr<const Model>& model, cons
   ARESTA_TRY(const std::vector<ModelPart> parts, split_into_parts(*model));
   if (parts.size() == 1) {
     // Whatever does not hang together in it is imprinted on each other.
-    const FragmentEngine& engine = options.engine != nullptr ? *options.engine : occt_engine();
+    const FragmentEngine& engine = engine_for({&model, 1}, options);
     const std::vector<std::shared_ptr<const Model>> alone{model};
     ARESTA_TRY(Imprint imprint, engine.imprint(alone, options.tolerance, context));
     return finish(alone, imprint, options, context);
@@ -460,7 +468,7 @@ Result<Fragment> fragment(std::vector<std::shared_ptr<const Model>> operands, co
                           const Context& context) {
   if (operands.empty()) return Error{errors::no_operands, "there is nothing to fragment"};
   if (operands.size() == 1) return fragment_of_one(operands.front(), options, context);
-  const FragmentEngine& engine = options.engine != nullptr ? *options.engine : occt_engine();
+  const FragmentEngine& engine = engine_for(operands, options);
   ARESTA_TRY(Imprint imprint, engine.imprint(operands, options.tolerance, context));
   return finish(std::move(operands), imprint, options, context);
 }

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/box_tree_detail.h"
+#include "math/box_tree.h"
 #include "model/check_detail.h"
 
 namespace aresta::model_detail {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/box_tree_detail.h"
+#include "math/box_tree.h"
 #include "model/check_detail.h"
 #include "model/image_detail.h"
 #include "model/measure.h"

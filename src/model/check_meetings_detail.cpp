@@ -11,7 +11,7 @@
 #include <cmath>
 #include <optional>
 
-#include "model/box_tree_detail.h"
+#include "math/box_tree.h"
 #include "model/check_detail.h"
 #include "model/query.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/box_tree_detail.h"
+#include "math/box_tree.h"
 #include "model/measure.h"
 
 namespace aresta {
@@ -131,7 +131,7 @@ template <class Boxes, class Distance>
 std::uint32_t nearest_of(std::size_t count, Boxes boxes, Distance exact, Vec3 p, double* out = nullptr) {
   std::vector<Box3> list(count);
   for (std::uint32_t i = 0; i < count; ++i) list[i] = boxes(i);
-  const model_detail::BoxTree tree(std::move(list));
+  const BoxTree tree(std::move(list));
   double best = infinity;
   std::uint32_t id = 0xffffffffu;
   tree.nearest(p, [&](std::uint32_t i, double) {

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <optional>
 
-#include "model/box_tree_detail.h"
+#include "math/box_tree.h"
 #include "model/query.h"
 
 namespace aresta {
@@ -35,7 +35,7 @@ struct RayCaster::Data {
       all.add(box);
       boxes[f.index()] = box.grown(std::max({smallest, model.tolerance(f), 1e-12 * box.diagonal()}) * edge_margin);
     }
-    tree = model_detail::BoxTree(std::move(boxes));
+    tree = BoxTree(std::move(boxes));
     size = all.diagonal();
     prepared.resize(count);
     once = std::make_unique<std::once_flag[]>(count);
@@ -57,7 +57,7 @@ struct RayCaster::Data {
 
   void cast(FaceId f, Vec3 origin, Vec3 direction, std::vector<RayHit>& hits) const {
     double enter = 0, leave = 0;
-    if (!model_detail::BoxTree::meets(tree.box(f.value), origin, direction, &enter, &leave)) return;
+    if (!BoxTree::meets(tree.box(f.value), origin, direction, &enter, &leave)) return;
     const Surface& surface = model.surface(f);
     const Line line{origin, direction};
     const double start = 1e-12 * size;
@@ -101,7 +101,7 @@ struct RayCaster::Data {
   }
 
   const Model& model;
-  model_detail::BoxTree tree;
+  BoxTree tree;
   double size = 0;
   mutable std::vector<std::optional<Prepared>> prepared;
   std::unique_ptr<std::once_flag[]> once;

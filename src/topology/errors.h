@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// topology: 300-399
+// topology: 300-349
 #pragma once
 
 #include "base/result.h"

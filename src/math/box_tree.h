@@ -11,7 +11,7 @@
 
 #include "math/box.h"
 
-namespace aresta::model_detail {
+namespace aresta {
 
 class BoxTree {
  public:
@@ -154,4 +154,4 @@ class BoxTree {
   std::vector<Node> nodes_;
 };
 
-}  // namespace aresta::model_detail
+}  // namespace aresta

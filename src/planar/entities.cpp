@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planar/entities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/union_find.h"
+#include "planar/point_grid.h"
+
+namespace aresta::planar {
+
+namespace {
+
+std::array<double, 3> as_array(Vec3 p) {
+  return {p.x, p.y, p.z};
+}
+
+/// Twice the area, along the normal: the sum over all loops, so that holes count against it.
+Vec3 area_vector(const Incidence& shape, const std::vector<Vec3>& points, Index face, Vec3 origin) {
+  Vec3 sum;
+  for (Index l = shape.face_begin[face]; l < shape.face_begin[face + 1]; ++l) {
+    for (Index c = shape.loop_begin[l]; c < shape.loop_begin[l + 1]; ++c) {
+      const auto [a, b] = shape.edges[shape.coedges[c] / 2];
+      const Vec3 s = cross(points[a] - origin, points[b] - origin);
+      sum += shape.coedges[c] % 2 == 0 ? s : -s;
+    }
+  }
+  return sum;
+}
+
+class Uniting {
+ public:
+  Uniting(const Soup& soup, double tolerance) : soup_(soup) { result_.tolerance = tolerance; }
+
+  Result<Entities> run() {
+    result_.stitched = soup_.stitched;
+    ARESTA_CHECK(unite_vertices());
+    unite_edges();
+    ARESTA_CHECK(unite_faces());
+    find_faces_of_edges();
+    return std::move(result_);
+  }
+
+ private:
+  Status unite_vertices() {
+    const auto count = static_cast<Index>(soup_.points.size());
+    PointGrid grid(result_.tolerance, count);
+    UnionFind clusters(count);
+    const double limit = result_.tolerance * result_.tolerance;
+    for (Index v = 0; v < count; ++v) {
+      const Vec3 p = soup_.points[v];
+      grid.near(p, [&](Index u) {
+        if (norm2(soup_.points[u] - p) <= limit) clusters.unite(u, v);
+      });
+      grid.add(p);
+    }
+    vertex_of_.assign(count, none);
+    std::vector<IndexPair> members, operands;
+    for (Index v = 0; v < count; ++v) {
+      const Index root = clusters.find(v);
+      if (root == v) {
+        vertex_of_[v] = static_cast<Index>(result_.points.size());
+        result_.points.push_back(soup_.points[v]);
+      } else {
+        vertex_of_[v] = vertex_of_[root];
+      }
+      members.emplace_back(vertex_of_[v], v);
+      operands.emplace_back(vertex_of_[v], soup_.vertex_operand[v]);
+    }
+    result_.shape.vertex_count = static_cast<Index>(result_.points.size());
+    result_.vertex_members = group(result_.points.size(), members);
+    result_.vertex_operands = distinct(result_.points.size(), operands);
+    for (std::size_t v = 0; v < result_.points.size(); ++v) ARESTA_CHECK(check_width(result_.vertex_members[v]));
+    return {};
+  }
+
+  /// Every two of a cluster must be within the tolerance: else which of them are the same cannot be told.
+  Status check_width(std::span<const Index> members) const {
+    if (members.size() < 3) return {};
+    std::vector<Vec3> apart{soup_.points[members[0]]};  // the different places
+    for (const Index m : members) {
+      const Vec3 p = soup_.points[m];
+      if (std::find(apart.begin(), apart.end(), p) != apart.end()) continue;
+      for (const Vec3 q : apart) {
+        if (norm2(p - q) > result_.tolerance * result_.tolerance) return too_wide(members);
+      }
+      apart.push_back(p);
+    }
+    return {};
+  }
+
+  Error too_wide(std::span<const Index> members) const {
+    Error error{errors::cluster_too_wide,
+                "vertices that coincide one by one are farther apart in all than the tolerance",
+                {},
+                as_array(soup_.points[members[0]]),
+                "a larger --tolerance, so that they become one, or a smaller one"};
+    constexpr std::size_t named = 6;
+    for (std::size_t i = 0; i < std::min(named, members.size()); ++i) error.entities.push_back(VertexId(members[i]));
+    return error;
+  }
+
+  void unite_edges() {
+    const auto& edges = soup_.shape.edges;
+    PairMap known(edges.size());
+    coedge_of_.assign(edges.size(), none);
+    std::vector<IndexPair> members, operands;
+    for (Index e = 0; e < edges.size(); ++e) {
+      const Index a = vertex_of_[edges[e][0]], b = vertex_of_[edges[e][1]];
+      if (a == b) continue;
+      const auto fresh = static_cast<Index>(result_.shape.edges.size());
+      const Index one = known.add(std::min(a, b), std::max(a, b), fresh);
+      if (one == fresh) result_.shape.edges.push_back({a, b});
+      coedge_of_[e] = 2 * one + (result_.shape.edges[one][0] == a ? 0u : 1u);
+      members.emplace_back(one, e);
+      operands.emplace_back(one, soup_.edge_operand[e]);
+    }
+    result_.edge_members = group(result_.shape.edges.size(), members);
+    result_.edge_operands = distinct(result_.shape.edges.size(), operands);
+  }
+
+  Status unite_faces() {
+    const Incidence& in = soup_.shape;
+    Incidence& out = result_.shape;
+    PairMap known(in.face_count());  // by a hash of the edges; equal hashes are chained
+    std::vector<Index> next;
+    std::vector<IndexPair> members, operands;
+    for (Index f = 0; f < in.face_count(); ++f) {
+      const Index first_coedge = static_cast<Index>(out.coedges.size()), first_loop = out.loop_count();
+      std::uint64_t hash = 0;
+      for (Index l = in.face_begin[f]; l < in.face_begin[f + 1]; ++l) hash += add_loop(l);
+      ARESTA_TRY(const bool thin, is_thin(f, first_coedge));
+      const auto fresh = static_cast<Index>(next.size());
+      Index same = none, chain = none;
+      if (!thin) {
+        chain = known.find(static_cast<Index>(hash >> 32), static_cast<Index>(hash));
+        for (same = chain; same != none && !same_edges(same, first_coedge); same = next[same]) chain = same;
+      }
+      if (thin || same != none) {
+        out.coedges.resize(first_coedge);
+        out.loop_vertex.resize(first_loop);
+        out.loop_begin.resize(first_loop + 1);
+        if (thin) continue;
+      } else {
+        out.close_face();
+        if (chain == none)
+          known.add(static_cast<Index>(hash >> 32), static_cast<Index>(hash), fresh);
+        else
+          next[chain] = fresh;
+        next.push_back(none);
+        ARESTA_CHECK(add_plane(fresh, f));
+        same = fresh;
+      }
+      members.emplace_back(same, f);
+      operands.emplace_back(same, soup_.face_operand[f]);
+    }
+    result_.face_members = group(next.size(), members);
+    result_.face_operands = distinct(next.size(), operands);
+    return {};
+  }
+
+  /// The loop without what has shrunk to a point; its share in the hash of the face.
+  std::uint64_t add_loop(Index l) {
+    const Incidence& in = soup_.shape;
+    Incidence& out = result_.shape;
+    std::uint64_t hash = 0;
+    for (Index c = in.loop_begin[l]; c < in.loop_begin[l + 1]; ++c) {
+      const Index code = coedge_of_[in.coedges[c] / 2];
+      if (code == none) continue;
+      out.coedges.push_back(code ^ (in.coedges[c] & 1u));
+      std::uint64_t h = (std::uint64_t{code / 2} + 1) * 0x9e3779b97f4a7c15u;
+      hash += (h ^ (h >> 31)) * 0xbf58476d1ce4e5b9u;
+    }
+    if (out.coedges.size() > out.loop_begin.back())
+      out.close_loop();
+    else if (in.loop_begin[l] < in.loop_begin[l + 1])
+      out.add_vertex_loop(vertex_of_[in.edges[in.coedges[in.loop_begin[l]] / 2][0]]);
+    else
+      out.add_vertex_loop(vertex_of_[in.loop_vertex[l]]);
+    return hash;
+  }
+
+  /// A face of no more than the tolerance's width: its vertices are noted on its edges.
+  Result<bool> is_thin(Index soup_face, Index first_coedge) {
+    const Incidence& out = result_.shape;
+    if (out.coedges.size() == first_coedge) return true;
+    const auto coedges = std::span(out.coedges).subspan(first_coedge);
+    const Vec3 origin = result_.points[out.edges[coedges[0] / 2][0]];
+    Vec3 area;
+    double perimeter = 0;
+    for (const Index c : coedges) {
+      const auto [a, b] = out.edges[c / 2];
+      const Vec3 s = cross(result_.points[a] - origin, result_.points[b] - origin);
+      area += c % 2 == 0 ? s : -s;
+      perimeter += distance(result_.points[a], result_.points[b]);
+    }
+    if (2 * norm(area) > result_.tolerance * perimeter) return false;
+    for (const Index c : coedges) {
+      const auto [a, b] = out.edges[c / 2];
+      const Vec3 p = result_.points[a], along = result_.points[b] - p;
+      for (const Index d : coedges) {
+        const Index v = out.edges[d / 2][d % 2];
+        if (v == a || v == b) continue;
+        const Vec3 to = result_.points[v] - p;
+        const double t = dot(to, along) / norm2(along);
+        if (t > 0 && t < 1 && norm(to - t * along) <= 2 * result_.tolerance)
+          result_.vertex_on_edge.emplace_back(c / 2, v);
+      }
+    }
+    return true;
+  }
+
+  bool same_edges(Index face, Index first_coedge) {
+    const auto known = result_.coedges_of(face);
+    const auto fresh = std::span(std::as_const(result_.shape.coedges)).subspan(first_coedge);
+    if (known.size() != fresh.size()) return false;
+    const auto sorted = [](std::span<const Index> coedges, std::vector<Index>& edges) {
+      edges.clear();
+      for (const Index c : coedges) edges.push_back(c / 2);
+      std::sort(edges.begin(), edges.end());
+    };
+    sorted(known, scratch_[0]);
+    sorted(fresh, scratch_[1]);
+    return scratch_[0] == scratch_[1];
+  }
+
+  Status add_plane(Index face, Index soup_face) {
+    const Incidence& shape = result_.shape;
+    const Vec3 origin = result_.points[shape.edges[result_.coedges_of(face)[0] / 2][0]];
+    Plane plane{normalized(area_vector(shape, result_.points, face, origin)), origin, 0};
+    for (int i = 1; i < 3; ++i) {
+      if (std::abs(plane.normal[i]) > std::abs(plane.normal[plane.axis])) plane.axis = i;
+    }
+    Box3 box;
+    double low = 0, high = 0;
+    for (const Index c : result_.coedges_of(face)) {
+      const Vec3 p = result_.points[shape.edges[c / 2][c % 2]];
+      box.add(p);
+      low = std::min(low, plane.distance(p));
+      high = std::max(high, plane.distance(p));
+    }
+    if (high - low > 4 * result_.tolerance) {
+      return Error{errors::face_not_planar,
+                   "the vertices of a face are not in one plane: they are " + std::to_string(high - low) + " apart",
+                   {FaceId(soup_face)},
+                   as_array(origin),
+                   "a larger --tolerance, or triangles"};
+    }
+    plane.origin += (0.5 * (low + high)) * plane.normal;
+    result_.planes.push_back(plane);
+    result_.boxes.push_back(box);
+    return {};
+  }
+
+  void find_faces_of_edges() {
+    std::vector<IndexPair> pairs;
+    pairs.reserve(result_.shape.coedges.size());
+    for (Index f = 0; f < result_.face_count(); ++f) {
+      for (const Index c : result_.coedges_of(f)) pairs.emplace_back(c / 2, f);
+    }
+    result_.faces_of_edge = distinct(result_.edge_count(), pairs);
+  }
+
+  /// As group(), sorted and without repetitions.
+  static Lists distinct(std::size_t count, std::span<const IndexPair> pairs) {
+    Lists all = group(count, pairs), result;
+    result.begin.reserve(count + 1);
+    result.items.reserve(all.items.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto first = all.items.begin() + all.begin[i], last = all.items.begin() + all.begin[i + 1];
+      std::sort(first, last);
+      result.items.insert(result.items.end(), first, std::unique(first, last));
+      result.begin.push_back(static_cast<Index>(result.items.size()));
+    }
+    return result;
+  }
+
+  const Soup& soup_;
+  Entities result_;
+  std::vector<Index> vertex_of_, coedge_of_;
+  std::array<std::vector<Index>, 2> scratch_;
+};
+
+}  // namespace
+
+std::span<const Index> Entities::coedges_of(Index face) const {
+  const Index first = shape.loop_begin[shape.face_begin[face]], last = shape.loop_begin[shape.face_begin[face + 1]];
+  return {shape.coedges.data() + first, last - first};
+}
+
+bool Entities::share_operand(std::span<const Index> a, std::span<const Index> b) const {
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    if (a[i] == b[j]) {
+      if (stitched[a[i]]) return true;
+      ++i, ++j;
+    } else {
+      a[i] < b[j] ? ++i : ++j;
+    }
+  }
+  return false;
+}
+
+Result<Entities> unite(const Soup& soup, double tolerance) {
+  return Uniting(soup, tolerance).run();
+}
+
+}  // namespace aresta::planar

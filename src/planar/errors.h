@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/result.h"
+
+namespace aresta::errors {  // planar: 350-399
+
+inline constexpr ErrorCode cluster_too_wide{350, "planar.cluster_too_wide"};
+inline constexpr ErrorCode face_not_planar{351, "planar.face_not_planar"};
+inline constexpr ErrorCode planar_unresolved{352, "planar.unresolved"};
+
+}  // namespace aresta::errors
