@@ -111,10 +111,8 @@ class Gatherer {
     if (!operand.is_region(r)) return unknown(member);
     const auto id = static_cast<std::uint32_t>(regions_.size());
     regions_.push_back(member);
-    const auto& cells = fragment_.region_of[member.operand];
-    for (std::size_t c = 1; c < cells.size(); ++c) {
-      if (cells[c] != r) continue;
-      if (const std::uint32_t other = group_.region[c]; other != GroupCells::none) {
+    for (const RegionId c : fragment_.labels.cells_in({member.operand, r})) {
+      if (const std::uint32_t other = group_.region[c.index()]; other != GroupCells::none) {
         if (regions_[other] == member) return {};  // listed twice
         return Error{errors::regions_overlap,
                      "two regions of group " + spec_.name + " overlap: region " +
@@ -125,7 +123,7 @@ class Gatherer {
                      {},
                      "unite them first, or list one of them"};
       }
-      group_.region[c] = id;
+      group_.region[c.index()] = id;
     }
     for (const ShellId s : k.shells(r)) {
       for (const FaceUse u : k.face_uses(s)) {

@@ -94,7 +94,7 @@ class PlanarEngine final : public FragmentEngine {
   }
 
   /// Per entity and operand, what of least dimension it lies in.
-  static std::vector<std::vector<Parent>> to_parents(const planar::Lists& names, const Gathered& all) {
+  static std::vector<std::vector<Parent>> to_parents(const Lists& names, const Gathered& all) {
     const auto vertices = static_cast<Index>(all.soup.points.size()), edges = all.soup.shape.edge_count();
     std::vector<std::vector<Parent>> parents(names.size());
     std::vector<Parent> list;

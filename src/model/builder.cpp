@@ -5,6 +5,7 @@
 
 #include "model/cells.h"
 #include "model/radial.h"
+#include "topology/editor.h"
 
 namespace aresta {
 
@@ -137,6 +138,11 @@ Result<Model> ModelBuilder::build(const Cells& cells, const std::vector<bool>& f
   model.length_unit = length_unit;
   model.tolerance_ = std::max(tolerance, relative_tolerance * model.bounds().diagonal());
   return model;
+}
+
+void ModelBuilder::fill(Model& model, const std::vector<bool>& filled) {
+  Editor editor(model.topology_);
+  for (std::size_t r = 1; r < filled.size(); ++r) editor.set_filled(RegionId(r), filled[r]);
 }
 
 Result<Model> ModelBuilder::provisional() {

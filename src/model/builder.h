@@ -72,10 +72,12 @@ class ModelBuilder {
   /// unless it is known.
   Result<Model> build(const Cells& cells, const std::vector<bool>& filled);
 
+  /// Says afterwards which finite cells of a built model are regions.
+  static void fill(Model& model, const std::vector<bool>& filled);
+
   /// find_cells, then fills by what set_fill said: a cell is filled when one of its sides was said to be; sides that
   /// disagree are an error (ambiguous_fill), so is a filled infinite cell (open_solid). Region ids follow the order of
   /// their first face-use.
-
   Result<Model> build(const Context& context);
 
   /// Everything in infinite space and any radial order: enough to ask for geometry by loops, also while entities still

@@ -11,7 +11,7 @@
 
 #include "base/result.h"
 #include "math/vec.h"
-#include "planar/lists.h"
+#include "planar/pair_map.h"
 
 namespace aresta::planar {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "math/vec.h"
-#include "planar/lists.h"
+#include "planar/pair_map.h"
 
 namespace aresta::planar {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "math/vec.h"
-#include "planar/lists.h"
+#include "planar/pair_map.h"
 #include "topology/assemble.h"
 
 namespace aresta::planar {

@@ -31,13 +31,13 @@ TEST(Fragment, CellsAreLabelledByTheRegionsThatContainThem) {
   ASSERT_EQ(f.model->regions().size(), 3u);
   std::map<std::pair<bool, bool>, double> volume;
   for (const RegionId r : f.model->regions()) {
-    const std::pair inside{a->is_region(f.region_of[0][r.index()]), b->is_region(f.region_of[1][r.index()])};
+    const std::pair inside{a->is_region(f.labels.region_of(0, r)), b->is_region(f.labels.region_of(1, r))};
     volume[inside] += measure(*f.model, r)->measure;
   }
   EXPECT_NEAR((volume[{true, false}]), 7, 1e-12);
   EXPECT_NEAR((volume[{false, true}]), 7, 1e-12);
   EXPECT_NEAR((volume[{true, true}]), 1, 1e-12);
-  EXPECT_EQ(f.region_of[0][0], Complex::infinite_region());
+  EXPECT_EQ(f.labels.region_of(0, RegionId(0)), Complex::infinite_region());
 }
 
 TEST(Fragment, EveryPieceKnowsItsParents) {

@@ -199,7 +199,7 @@ TEST(FragmentOfOne, TouchingPartsShareTheirFace) {
   ASSERT_EQ(f.operands.size(), 1u);
   EXPECT_EQ(f.operands[0], a);
   std::set<RegionId> regions;
-  for (const RegionId r : f.model->regions()) regions.insert(f.region_of[0][r.index()]);
+  for (const RegionId r : f.model->regions()) regions.insert(f.labels.region_of(0, r));
   EXPECT_EQ(regions.size(), 2u);
   int shared = 0;
   for (const FaceId face : f.model->topology().faces()) {

@@ -1,40 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists of indices, one for each of many owners, in two flat arrays; and a table from pairs of indices to an index.
+// A table from pairs of indices to an index.
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <utility>
-#include <vector>
+#include "base/lists.h"
 
 namespace aresta::planar {
 
 using Index = std::uint32_t;
 inline constexpr Index none = 0xffffffffu;
-
-using IndexPair = std::pair<Index, Index>;
-
-/// List i is items [begin[i], begin[i + 1]).
-struct Lists {
-  std::vector<Index> begin{0};
-  std::vector<Index> items;
-
-  std::size_t size() const { return begin.size() - 1; }
-  std::span<const Index> operator[](std::size_t i) const { return {items.data() + begin[i], begin[i + 1] - begin[i]}; }
-};
-
-/// The second members by their first, which must be below `count`; members of a list stay in the order of the pairs.
-/// Linear.
-inline Lists group(std::size_t count, std::span<const IndexPair> pairs) {
-  Lists lists;
-  lists.begin.assign(count + 1, 0);
-  for (const auto& [owner, item] : pairs) ++lists.begin[owner + 1];
-  for (std::size_t i = 0; i < count; ++i) lists.begin[i + 1] += lists.begin[i];
-  lists.items.resize(pairs.size());
-  std::vector<Index> next(lists.begin.begin(), lists.begin.end() - 1);
-  for (const auto& [owner, item] : pairs) lists.items[next[owner]++] = item;
-  return lists;
-}
 
 /// From a pair of indices to an index: open addressing, at most half full. Nothing depends on the order inside.
 class PairMap {
