@@ -168,6 +168,7 @@ class WideInt {
   friend constexpr WideInt operator+(const WideInt& a, const WideInt& b) {
     WideInt sum;
     std::uint64_t carry = 0;
+#pragma GCC unroll 12
     for (std::size_t i = 0; i < word_count; ++i) {
       const Uint128 word = static_cast<Uint128>(a.words_[i]) + b.words_[i] + carry;
       sum.words_[i] = static_cast<std::uint64_t>(word);
@@ -186,6 +187,7 @@ class WideInt {
     WideInt product;
     for (std::size_t i = 0; i < word_count; ++i) {
       std::uint64_t carry = 0;
+#pragma GCC unroll 12
       for (std::size_t j = 0; i + j < word_count; ++j) {
         const Uint128 word = static_cast<Uint128>(a.words_[i]) * b.words_[j] + product.words_[i + j] + carry;
         product.words_[i + j] = static_cast<std::uint64_t>(word);
@@ -194,9 +196,15 @@ class WideInt {
     }
     return product;
   }
-  constexpr WideInt& operator+=(const WideInt& b) { return *this = *this + b; }
-  constexpr WideInt& operator-=(const WideInt& b) { return *this = *this - b; }
-  constexpr WideInt& operator*=(const WideInt& b) { return *this = *this * b; }
+  constexpr WideInt& operator+=(const WideInt& b) {
+    return *this = *this + b;
+  }
+  constexpr WideInt& operator-=(const WideInt& b) {
+    return *this = *this - b;
+  }
+  constexpr WideInt& operator*=(const WideInt& b) {
+    return *this = *this * b;
+  }
 
   friend constexpr bool operator==(const WideInt&, const WideInt&) = default;
   friend constexpr std::strong_ordering operator<=>(const WideInt& a, const WideInt& b) {
@@ -217,6 +225,7 @@ class WideInt {
   template <int from, std::size_t count>
   constexpr void subtract_from(const std::array<std::uint64_t, count>& other, std::uint64_t mask) {
     std::uint64_t borrow = 0;
+#pragma GCC unroll 12
     for (std::size_t i = 0; i < count; ++i) {
       const Uint128 word = static_cast<Uint128>(words_[from + i]) - (other[i] & mask) - borrow;
       words_[from + i] = static_cast<std::uint64_t>(word);
@@ -232,8 +241,10 @@ template <int a_bits, int b_bits>
 constexpr WideInt<a_bits + b_bits> multiply(const WideInt<a_bits>& a, const WideInt<b_bits>& b) {
   constexpr std::size_t a_count = a_bits / 64, b_count = b_bits / 64;
   WideInt<a_bits + b_bits> product;
+#pragma GCC unroll 12
   for (std::size_t i = 0; i < a_count; ++i) {
     std::uint64_t carry = 0;
+#pragma GCC unroll 12
     for (std::size_t j = 0; j < b_count; ++j) {
       const Uint128 word = static_cast<Uint128>(a.words()[i]) * b.words()[j] + product.words_[i + j] + carry;
       product.words_[i + j] = static_cast<std::uint64_t>(word);
