@@ -16,25 +16,15 @@ std::array<double, 3> as_array(Vec3 p) {
   return {p.x, p.y, p.z};
 }
 
-/// Twice the area, along the normal: the sum over all loops, so that holes count against it.
-Vec3 area_vector(const Incidence& shape, const std::vector<Vec3>& points, Index face, Vec3 origin) {
-  Vec3 sum;
-  for (Index l = shape.face_begin[face]; l < shape.face_begin[face + 1]; ++l) {
-    for (Index c = shape.loop_begin[l]; c < shape.loop_begin[l + 1]; ++c) {
-      const auto [a, b] = shape.edges[shape.coedges[c] / 2];
-      const Vec3 s = cross(points[a] - origin, points[b] - origin);
-      sum += shape.coedges[c] % 2 == 0 ? s : -s;
-    }
-  }
-  return sum;
-}
-
 class Uniting {
  public:
   Uniting(const Soup& soup, double tolerance) : soup_(soup) { result_.tolerance = tolerance; }
 
   Result<Entities> run() {
     result_.stitched = soup_.stitched;
+    Box3 box;
+    for (const Vec3 p : soup_.points) box.add(p);
+    result_.lattice = Lattice::holding(box);
     ARESTA_CHECK(unite_vertices());
     unite_edges();
     ARESTA_CHECK(unite_faces());
@@ -228,7 +218,14 @@ class Uniting {
   Status add_plane(Index face, Index soup_face) {
     const Incidence& shape = result_.shape;
     const Vec3 origin = result_.points[shape.edges[result_.coedges_of(face)[0] / 2][0]];
-    Plane plane{normalized(area_vector(shape, result_.points, face, origin)), origin, 0};
+    const std::optional<ExactPlane> exact = result_.exact_plane(face);
+    if (!exact) {
+      return Error{errors::face_not_planar,
+                   "the outer loop of a face has no area: its normal cannot be told",
+                   {FaceId(soup_face)},
+                   as_array(origin)};
+    }
+    Plane plane{unit_normal(*exact), origin, 0};
     for (int i = 1; i < 3; ++i) {
       if (std::abs(plane.normal[i]) > std::abs(plane.normal[plane.axis])) plane.axis = i;
     }
@@ -287,6 +284,43 @@ class Uniting {
 std::span<const Index> Entities::coedges_of(Index face) const {
   const Index first = shape.loop_begin[shape.face_begin[face]], last = shape.loop_begin[shape.face_begin[face + 1]];
   return {shape.coedges.data() + first, last - first};
+}
+
+std::optional<ExactPlane> Entities::exact_plane(Index face) const {
+  constexpr std::size_t most = std::size_t{1} << 16;  // that the exact sum takes
+  const Index first = shape.loop_begin[shape.face_begin[face]], last = shape.loop_begin[shape.face_begin[face] + 1];
+  const auto vertex = [&](Index c) { return shape.edges[shape.coedges[c] / 2][shape.coedges[c] % 2]; };
+  if (last - first == 3)
+    return plane_through(lattice_point(vertex(first)), lattice_point(vertex(first + 1)),
+                         lattice_point(vertex(first + 2)));
+  if (last - first <= most) {
+    std::array<LatticePoint, 16> few;
+    std::vector<LatticePoint> many;
+    std::span<LatticePoint> outer(few.data(), std::min<std::size_t>(few.size(), last - first));
+    if (last - first > few.size()) {
+      many.resize(last - first);
+      outer = many;
+    }
+    for (Index c = first; c < last; ++c) outer[c - first] = lattice_point(vertex(c));
+    return plane_of_polygon(outer);
+  }
+  // Too many to sum: three that are far apart, turned as the sum in doubles is.
+  const Vec3 origin = points[vertex(first)];
+  Vec3 area;
+  Index far = first, off = first;
+  for (Index c = first; c < last; ++c) {
+    const auto [a, b] = shape.edges[shape.coedges[c] / 2];
+    const Vec3 s = cross(points[a] - origin, points[b] - origin);
+    area += shape.coedges[c] % 2 == 0 ? s : -s;
+    if (norm2(points[vertex(c)] - origin) > norm2(points[vertex(far)] - origin)) far = c;
+  }
+  const Vec3 along = points[vertex(far)] - origin;
+  for (Index c = first; c < last; ++c) {
+    if (norm2(cross(points[vertex(c)] - origin, along)) > norm2(cross(points[vertex(off)] - origin, along))) off = c;
+  }
+  auto plane = plane_through(lattice_point(vertex(first)), lattice_point(vertex(far)), lattice_point(vertex(off)));
+  if (plane && dot(plane->rounded_normal(), area) < 0) return flipped(*plane);
+  return plane;
 }
 
 bool Entities::share_operand(std::span<const Index> a, std::span<const Index> b) const {

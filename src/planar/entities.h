@@ -9,7 +9,7 @@
 // the tolerance is refused (face_not_planar). Deterministic; cost n log n.
 #pragma once
 
-#include "math/box.h"
+#include "math/exact_points.h"
 #include "planar/errors.h"
 #include "planar/soup.h"
 
@@ -30,6 +30,7 @@ struct Plane {
 
 struct Entities {
   double tolerance = 0;
+  Lattice lattice{0};  ///< on which exact constructions stand; its step is far below the tolerance
   std::vector<Vec3> points;
   Incidence shape;  ///< faces of loops of coedges; vertex_count is what the soup gave
   std::vector<Plane> planes;
@@ -44,6 +45,9 @@ struct Entities {
   Index edge_count() const { return shape.edge_count(); }
   Index face_count() const { return shape.face_count(); }
   std::span<const Index> coedges_of(Index face) const;
+  LatticePoint lattice_point(Index vertex) const { return lattice.to_lattice(points[vertex]); }
+  /// Through vertices of the face, never without one for a face that is kept; made anew each time.
+  std::optional<ExactPlane> exact_plane(Index face) const;
   /// Is some operand that knows how its entities meet in both lists?
   bool share_operand(std::span<const Index> a, std::span<const Index> b) const;
 };

@@ -22,7 +22,10 @@ class Meeting {
         tolerance_(entities.tolerance),
         places_(entities),
         points_(entities.points),
-        grid_(tolerance_, 2 * points_.size()) {
+        grid_(tolerance_, 2 * points_.size()),
+        precision_(tolerance_ / 1024),
+        edge_is_split_(entities.edge_count(), false),
+        face_has_vertices_(entities.face_count(), false) {
     for (const Vec3 p : points_) grid_.add(p);
     std::vector<Box3> boxes(in_.boxes);
     for (Box3& b : boxes) b = b.grown(tolerance_);
@@ -62,33 +65,27 @@ class Meeting {
     if (in_.shape.edges[edge][0] == vertex || in_.shape.edges[edge][1] == vertex) return false;
     if (!on_edge_known_.insert(edge, vertex)) return false;
     on_edge_.emplace_back(edge, vertex);
+    edge_is_split_[edge] = true;
     return true;
   }
 
   bool put_in_face(Index vertex, Index face) {
     if (!in_face_known_.insert(face, vertex)) return false;
     in_face_.emplace_back(face, vertex);
+    face_has_vertices_[face] = true;
     return true;
-  }
-
-  bool is_corner(Index vertex, Index face) const {
-    for (const Index c : in_.coedges_of(face)) {
-      if (in_.shape.edges[c / 2][c % 2] == vertex) return true;
-    }
-    return false;
   }
 
   bool is_on_edge(Index vertex, Index edge) const {
     return in_.shape.edges[edge][0] == vertex || in_.shape.edges[edge][1] == vertex ||
-           on_edge_known_.contains(edge, vertex);
+           (edge_is_split_[edge] && on_edge_known_.contains(edge, vertex));
   }
 
   bool is_on_face(Index vertex, Index face) const {
-    if (in_face_known_.contains(face, vertex)) return true;
     for (const Index c : in_.coedges_of(face)) {
       if (is_on_edge(vertex, c / 2)) return true;
     }
-    return false;
+    return face_has_vertices_[face] && in_face_known_.contains(face, vertex);
   }
 
   /// The vertex goes where it lies relative to a face whose plane is near.
@@ -212,20 +209,24 @@ class Meeting {
     const auto [a, b] = in_.shape.edges[e];
     const Plane& plane = in_.planes[f];
     const Vec3 start = points_[a], along = points_[b] - start;
+    const double at_a = plane.distance(start), at_b = plane.distance(points_[b]);
+    if (std::min(at_a, at_b) > tolerance_ || std::max(at_a, at_b) < -tolerance_) return;
+    // Only what lies over the face counts: a long edge may leave its plane farther on.
     double low = 0, high = 1;
     if (!BoxTree::meets(in_.boxes[f].grown(2 * tolerance_), start, along, &low, &high) || low > 1) return;
-    high = std::min(high, 1.0);
-    const double at_a = plane.distance(start), at_b = plane.distance(points_[b]);
     const double at_low = low == 0 ? at_a : plane.distance(start + low * along);
-    const double at_high = high == 1 ? at_b : plane.distance(start + high * along);
+    const double at_high = high >= 1 ? at_b : plane.distance(start + high * along);
     if (std::abs(at_low) <= tolerance_ && std::abs(at_high) <= tolerance_) return cross_in_plane(e, f);
     if ((at_low > 0) == (at_high > 0)) return;
-    if (is_on_face(a, f) || is_on_face(b, f)) return;  // there it meets the plane, and nowhere else
-    Vec3 p = start + (at_a / (at_a - at_b)) * along;
-    for (int i = 0; i < 3; ++i) {  // what is plain to see is kept exactly
-      if (along[i] == 0) p[i] = start[i];
-      if (std::abs(plane.normal[i]) == 1) p[i] = plane.origin[i];
+    if (is_on_face(a, f) || is_on_face(b, f)) {  // there it meets the plane, and nowhere else
+      ++result_.stages.by_name;
+      return;
     }
+    const auto exact = in_.exact_plane(f);
+    const auto met =
+        line_plane_point(in_.lattice_point(a), in_.lattice_point(b), *exact, in_.lattice, precision_, result_.stages);
+    if (!met) return;
+    const Vec3 p = tidy(tidy(*met, e, e), f);
     const Located at = places_.locate(f, p);
     switch (at.place) {
       case Located::Place::outside:
@@ -255,15 +256,33 @@ class Meeting {
     const Vec3 across = normalized(cross(in_.planes[f].normal, along));
     places_.edges_near(f, edge_box(e), [&](Index h) {
       const auto [c, d] = in_.shape.edges[h];
-      if (is_on_edge(c, e) || is_on_edge(d, e) || is_on_edge(a, h) || is_on_edge(b, h)) return;
+      if (is_on_edge(c, e) || is_on_edge(d, e) || is_on_edge(a, h) || is_on_edge(b, h)) {
+        ++result_.stages.by_name;
+        return;
+      }
       const double at_c = dot(across, points_[c] - start), at_d = dot(across, points_[d] - start);
       if ((at_c > 0) == (at_d > 0)) return;
-      const Vec3 p = points_[c] + (at_c / (at_c - at_d)) * (points_[d] - points_[c]);
-      const double t = dot(p - start, along) / norm2(along);
-      if (t <= 0 || t >= 1) return;
-      cross_at(e, h, tidy(p, e, h));
+      const auto p = crossing(e, h, in_.planes[f].axis);
+      if (!p) return;
+      const double t = dot(*p - start, along) / norm2(along);
+      if (t > 0 && t < 1) cross_at(e, h, tidy(*p, e, h));
     });
   }
+
+  /// Where edge h meets the plane through edge e along an axis; nothing where they are parallel.
+  std::optional<Vec3> crossing(Index e, Index h, int axis) {
+    const auto [a, b] = in_.shape.edges[e];
+    const auto [c, d] = in_.shape.edges[h];
+    LatticePoint off = in_.lattice_point(a);
+    const auto i = static_cast<std::size_t>(axis);
+    off[i] += off[i] > 0 ? -(std::int64_t{1} << 50) : std::int64_t{1} << 50;
+    const auto plane = plane_through(in_.lattice_point(a), in_.lattice_point(b), off);
+    if (!plane) return {};
+    return line_plane_point(in_.lattice_point(c), in_.lattice_point(d), *plane, in_.lattice, precision_,
+                            result_.stages);
+  }
+
+  // What is plain to see is kept to the last bit.
 
   /// Coordinates in which one of two crossing edges does not vary are that edge's.
   Vec3 tidy(Vec3 p, Index e, Index h) const {
@@ -273,6 +292,13 @@ class Meeting {
         if (points_[a][i] == points_[b][i]) p[i] = points_[a][i];
       }
     }
+    return p;
+  }
+
+  /// So are those of a plane at right angles to an axis.
+  Vec3 tidy(Vec3 p, Index f) const {
+    const Plane& plane = in_.planes[f];
+    if (std::abs(plane.normal[plane.axis]) == 1) p[plane.axis] = plane.origin[plane.axis];
     return p;
   }
 
@@ -523,13 +549,13 @@ class Meeting {
     if (whole == 0) return;
     const double x = dot(cross(to, w), normal) / whole, y = dot(cross(to, u), normal) / whole;
     if (x <= 0 || x >= 1 || y <= 0 || y >= 1) return;
+    const Index g = one.face == f ? one.other_face : one.face, h = two.face == f ? two.other_face : two.face;
     Vec3 p = points_[one.a] + x * u;
-    for (const Index g : {f, one.face, one.other_face, two.face, two.other_face}) {
-      const Plane& plane = in_.planes[g];
-      for (int i = 0; i < 3; ++i) {
-        if (std::abs(plane.normal[i]) == 1) p[i] = plane.origin[i];
-      }
-    }
+    const auto met = three_plane_point(*in_.exact_plane(f), *in_.exact_plane(g), *in_.exact_plane(h), in_.lattice,
+                                       precision_, result_.stages);
+    // Planes that hardly cross may meet elsewhere than these pieces do, which lie within the tolerance of them.
+    if (met && norm(*met - p) <= 8 * tolerance_) p = *met;
+    p = tidy(tidy(tidy(p, f), g), h);
     const Index v = new_vertex(p);
     put_on_faces(v, one);
     put_on_faces(v, two);
@@ -569,6 +595,8 @@ class Meeting {
   FacePlaces places_;
   std::vector<Vec3> points_;
   PointGrid grid_;
+  double precision_;  // of new places
+  std::vector<bool> edge_is_split_, face_has_vertices_;
   BoxTree faces_, wires_;
   std::vector<Index> wire_edges_;
   std::vector<IndexPair> on_edge_, in_face_;  // (edge, vertex), (face, vertex)

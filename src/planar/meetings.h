@@ -4,7 +4,9 @@
 // Contract. Afterwards a vertex nearer than the tolerance to an edge or a face is on it by name, and every crossing of
 // an edge with an edge or a face, and of three faces, is a vertex on all of them. Segments where two faces cross run
 // between two vertices that both have. Whatever is nearer than the tolerance is one; every other decision is therefore
-// taken with a margin of the tolerance, a million times the rounding of a coordinate.
+// taken with a margin of the tolerance, a million times the rounding of a coordinate. New places come from the
+// operands' own vertices and planes, never from new ones, and are right to a thousandth of the tolerance however flat
+// the angle: doubles where a bound of their error proves it, integers of a fixed width else (math/exact_points.h).
 //
 // Method: lowest dimension first. Vertices on edges and in faces; edges across faces and each other; each new vertex is
 // asked for all that it lies on; then, until nothing is new, the segments of faces across faces and their crossings
@@ -34,6 +36,7 @@ struct Meetings {
   std::vector<Piece> pieces;
   Lists edges_of_piece;  ///< sorted
   Lists pieces_of_vertex;
+  Stages stages;  ///< how sides and places were decided: by name, by doubles with a bound, by integers
 };
 
 Result<Meetings> find_meetings(const Entities& entities, const Context& context);
