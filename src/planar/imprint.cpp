@@ -91,13 +91,12 @@ class Imprinting {
       pieces[i] = 2 * pieces[i] + (at_.pieces[pieces[i]].a == vertices[i] ? 0u : 1u);
   }
 
-  /// Marks what is on the face's boundary; is each of its pieces run through once?
+  /// Marks what is on the face's boundary; does it pass each vertex once?
   bool stamp(Index f) {
     bool plain = true;
     for (const Index code : boundary_) {
-      const Piece& p = at_.pieces[code / 2];
-      stamp_vertex_[p.a] = stamp_vertex_[p.b] = f;
-      if (stamp_piece_[code / 2] == f) plain = false;
+      if (stamp_vertex_[start(code)] == f) plain = false;
+      stamp_vertex_[start(code)] = f;
       stamp_piece_[code / 2] = f;
     }
     for (const Index v : at_.vertices_in_face[f]) stamp_vertex_[v] = f;

@@ -104,7 +104,7 @@ class Meeting {
     }
   }
 
-  void place_on_wire(Index vertex, Index edge) {
+  void place_on_segment(Index vertex, Index edge) {
     const auto [a, b] = in_.shape.edges[edge];
     const Vec3 start = points_[a], along = points_[b] - start, to = points_[vertex] - start;
     const double t = dot(to, along) / norm2(along);
@@ -118,7 +118,7 @@ class Meeting {
     faces_.overlapping(here, [&](Index f) {
       if (std::abs(in_.planes[f].distance(p)) <= tolerance_ && !is_on_face(vertex, f)) place_in_face(vertex, f);
     });
-    wires_.overlapping(here, [&](Index w) { place_on_wire(vertex, wire_edges_[w]); });
+    wires_.overlapping(here, [&](Index w) { place_on_segment(vertex, wire_edges_[w]); });
   }
 
   static Box3 box_of(Vec3 p) {
@@ -178,7 +178,7 @@ class Meeting {
       });
       wires_.overlapping(here, [&](Index w) {
         const Index e = wire_edges_[w];
-        if (!in_.share_operand(own, in_.edge_operands[e])) place_on_wire(v, e);
+        if (!in_.share_operand(own, in_.edge_operands[e])) place_on_segment(v, e);
       });
     }
     return {};
@@ -194,7 +194,10 @@ class Meeting {
       faces_.overlapping(box, [&](Index f) {
         if (in_.share_operand(own, in_.face_operands[f])) return;
         const auto faces = in_.faces_of_edge[e];
-        if (!std::binary_search(faces.begin(), faces.end(), f)) cross_edge_and_face(e, f);
+        if (std::binary_search(faces.begin(), faces.end(), f))
+          cross_own_face(e, f);
+        else
+          cross_edge_and_face(e, f);
       });
       if (!in_.faces_of_edge[e].empty()) continue;
       wires_.overlapping(box, [&](Index w) {
@@ -267,6 +270,13 @@ class Meeting {
       const double t = dot(*p - start, along) / norm2(along);
       if (t > 0 && t < 1) cross_at(e, h, tidy(*p, e, h));
     });
+  }
+
+  /// An edge of a face that nobody vouches for against the others.
+  void cross_own_face(Index e, Index f) {
+    if (in_.coedges_of(f).size() <= 3) return;
+    for (const Index c : in_.coedges_of(f)) place_on_segment(in_.shape.edges[c / 2][c % 2], e);
+    cross_in_plane(e, f);
   }
 
   /// Where edge h meets the plane through edge e along an axis; nothing where they are parallel.
