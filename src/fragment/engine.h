@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "base/context.h"
@@ -12,12 +13,13 @@
 namespace aresta {
 
 /// All vertices, edges and faces of the operands, split so that they meet only in shared entities of lower dimension,
-/// each stored once. Loose and dangling edges and points inside a face are loops of that face. No cells, no fill.
+/// each stored once. Loose and dangling edges and points inside a face are loops of that face. No fill.
 struct Imprint {
   ModelBuilder builder;
   /// Per vertex, edge and face of the builder: the operands' entities it is a piece or an intersection of (sorted). An
   /// entity of the same dimension is its ancestor; those of higher dimension are what created it.
   std::vector<std::vector<Parent>> vertex_parents, edge_parents, face_parents;
+  std::optional<Cells> cells;  ///< when the engine knows them; the builder then has the radial order
 };
 
 class FragmentEngine {

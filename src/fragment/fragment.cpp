@@ -99,7 +99,7 @@ void mark_constraints(Imprint& imprint, std::span<const std::shared_ptr<const Mo
 
 /// One operand whose parts share what they meet in needs no imprint: it is its own fragment.
 Result<Imprint> copy_of(const Model& model) {
-  Imprint copy{to_builder(model), {}, {}, {}};
+  Imprint copy{to_builder(model), {}, {}, {}, {}};
   for (const VertexId v : model.topology().vertices()) copy.vertex_parents.push_back({{0, v}});
   for (const EdgeId e : model.topology().edges()) copy.edge_parents.push_back({{0, e}});
   for (const FaceId f : model.topology().faces()) copy.face_parents.push_back({{0, f}});
@@ -249,7 +249,10 @@ Result<Fragment> finish(std::vector<std::shared_ptr<const Model>> operands, Impr
   for (const auto& operand : operands)
     imprint.builder.tolerance = std::max(imprint.builder.tolerance, operand->tolerance());
 
-  ARESTA_TRY(const Cells cells, imprint.builder.find_cells(context));
+  if (!imprint.cells) {
+    ARESTA_TRY(imprint.cells, imprint.builder.find_cells(context));
+  }
+  const Cells& cells = *imprint.cells;
   mark_constraints(imprint, operands);
   ARESTA_TRY(Model model, imprint.builder.build(cells, std::vector<bool>(cells.count, false)));
 

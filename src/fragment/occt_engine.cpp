@@ -52,7 +52,7 @@ class OcctEngine final : public FragmentEngine {
     ARESTA_TRY(const FuseInput input, to_input(identity, operands.size()));
     ARESTA_TRY(FuseResult fused, general_fuse(input, tolerance, context));
     return Imprint{std::move(fused.builder), to_parents(fused.vertices), to_parents(fused.edges),
-                   to_parents(fused.faces)};
+                   to_parents(fused.faces), {}};
   }
 };
 

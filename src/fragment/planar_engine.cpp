@@ -5,6 +5,7 @@
 
 #include "fragment/engine.h"
 #include "fragment/errors.h"
+#include "planar/cells.h"
 #include "planar/imprint.h"
 
 namespace aresta {
@@ -75,7 +76,12 @@ class PlanarEngine final : public FragmentEngine {
     tolerance = std::max(tolerance, least_tolerance(box));
     auto pieces = planar::imprint(all.soup, tolerance, context);
     if (!pieces.ok()) return named(std::move(pieces).error(), all);
-    return to_imprint(*pieces, all, operands, tolerance);
+    ARESTA_CHECK(planar::order_radially(pieces->faces(), pieces->shape));
+    ARESTA_TRY(Cells cells, planar::find_cells(pieces->faces(), context));
+    ARESTA_TRY(Imprint result, to_imprint(*pieces, all, operands, tolerance));
+    result.builder.set_radial_order(std::move(pieces->shape.radial_next));
+    result.cells = std::move(cells);
+    return result;
   }
 
  private:

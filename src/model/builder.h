@@ -13,19 +13,12 @@
 #include "base/context.h"
 #include "model/model.h"
 #include "topology/assemble.h"
+#include "topology/cells.h"
 
 namespace aresta {
 
 /// What a caller knows about the space on a side of a face.
 enum class Fill : std::uint8_t { unknown, filled, empty };
-
-/// The cells that faces enclose. Cell 0 is infinite space.
-struct Cells {
-  std::uint32_t count = 1;
-  std::vector<std::uint32_t> of_face_use;  ///< per face-use
-  std::vector<std::uint32_t> of_edge;      ///< per edge: for wires, else Incidence::none
-  std::vector<std::uint32_t> of_vertex;    ///< per vertex: for isolated vertices of no face, else Incidence::none
-};
 
 class ModelBuilder {
  public:

@@ -259,8 +259,7 @@ struct FaceTrim::Data {
     const Vec2 middle = 0.5 * (best->a + best->b);
     double room = longest;
     for (const Segment& s : segments) {
-      const bool neighbour = s.a == best->b || s.b == best->a;
-      if (&s != best && !neighbour) room = std::min(room, distance(metric, middle, s.a, s.b));
+      if (&s != best) room = std::min(room, distance(metric, middle, s.a, s.b));
     }
     // A step to the left of the chord, at right angles to it in the parameter plane, scaled to the room in space.
     const Vec2 d = best->b - best->a, left{-d.y, d.x};

@@ -11,22 +11,10 @@
 
 #include "math/exact_points.h"
 #include "planar/errors.h"
+#include "planar/plane_faces.h"
 #include "planar/soup.h"
 
 namespace aresta::planar {
-
-struct Plane {
-  Vec3 normal;  ///< unit
-  Vec3 origin;
-  int axis = 0;  ///< of the normal's largest component
-
-  double distance(Vec3 p) const { return dot(normal, p - origin); }
-  /// Two coordinates in the plane, counterclockwise about the normal; not true to scale.
-  Vec2 flat(Vec3 p) const {
-    const double x = p[(axis + 1) % 3], y = p[(axis + 2) % 3];
-    return normal[axis] > 0 ? Vec2{x, y} : Vec2{y, x};
-  }
-};
 
 struct Entities {
   double tolerance = 0;
@@ -42,6 +30,7 @@ struct Entities {
   std::vector<bool> stitched;                           ///< per operand
   Lists faces_of_edge;                                  ///< sorted, none twice
 
+  PlaneFaces faces() const { return {points, shape, planes, tolerance}; }
   Index edge_count() const { return shape.edge_count(); }
   Index face_count() const { return shape.face_count(); }
   std::span<const Index> coedges_of(Index face) const;

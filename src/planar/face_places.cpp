@@ -11,25 +11,25 @@ constexpr std::size_t many_edges = 24;
 
 }  // namespace
 
-FacePlaces::FacePlaces(const Entities& entities) : entities_(entities), trees_(entities.face_count()) {
-  for (Index f = 0; f < entities.face_count(); ++f) {
-    const auto coedges = entities.coedges_of(f);
+FacePlaces::FacePlaces(const PlaneFaces& faces) : faces_(faces), trees_(faces.shape.face_count()) {
+  for (Index f = 0; f < faces.shape.face_count(); ++f) {
+    const auto coedges = faces.coedges_of(f);
     if (coedges.size() < many_edges) continue;
     std::vector<Box3> boxes(coedges.size());
     for (std::size_t i = 0; i < coedges.size(); ++i) {
-      for (const Index v : entities.shape.edges[coedges[i] / 2]) boxes[i].add(entities.points[v]);
+      for (const Index v : faces.shape.edges[coedges[i] / 2]) boxes[i].add(faces.points[v]);
     }
     trees_[f] = std::make_unique<BoxTree>(std::move(boxes));
   }
 }
 
 Located FacePlaces::locate(Index face, Vec3 p) const {
-  const double tolerance = entities_.tolerance;
-  const Plane& plane = entities_.planes[face];
+  const double tolerance = faces_.tolerance;
+  const Plane& plane = faces_.planes[face];
   Located found;
   const auto near_edge = [&](Index e) {
-    const auto [a, b] = entities_.shape.edges[e];
-    const Vec3 start = entities_.points[a], along = entities_.points[b] - start, to = p - start;
+    const auto [a, b] = faces_.shape.edges[e];
+    const Vec3 start = faces_.points[a], along = faces_.points[b] - start, to = p - start;
     const double length2 = norm2(along), t = dot(to, along) / length2;
     if (t <= 0 || t >= 1) {
       if (norm2(t <= 0 ? to : to - along) <= tolerance * tolerance) {
@@ -59,13 +59,13 @@ Located FacePlaces::locate(Index face, Vec3 p) const {
   const Vec2 q = plane.flat(p);
   bool inside = false;
   const auto cross_edge = [&](Index e) {
-    const auto [a, b] = entities_.shape.edges[e];
-    const Vec2 s = plane.flat(entities_.points[a]), t = plane.flat(entities_.points[b]);
+    const auto [a, b] = faces_.shape.edges[e];
+    const Vec2 s = plane.flat(faces_.points[a]), t = plane.flat(faces_.points[b]);
     if ((s.y > q.y) == (t.y > q.y)) return;
     if (q.x < s.x + (t.x - s.x) * ((q.y - s.y) / (t.y - s.y))) inside = !inside;
   };
   if (trees_[face] == nullptr) {
-    for (const Index c : entities_.coedges_of(face)) cross_edge(c / 2);
+    for (const Index c : faces_.coedges_of(face)) cross_edge(c / 2);
   } else {
     // The boxes on the ray along flat x.
     constexpr double inf = std::numeric_limits<double>::infinity();

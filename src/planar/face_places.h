@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "math/box_tree.h"
-#include "planar/entities.h"
+#include "planar/plane_faces.h"
 
 namespace aresta::planar {
 
@@ -23,18 +23,18 @@ struct Located {
 
 class FacePlaces {
  public:
-  explicit FacePlaces(const Entities& entities);
+  explicit FacePlaces(const PlaneFaces& faces);
   Located locate(Index face, Vec3 p) const;
   /// visit(edge) for each edge of the face near the box, some perhaps twice.
   template <class Visit>
   void edges_near(Index face, const Box3& box, Visit&& visit) const {
-    const auto coedges = entities_.coedges_of(face);
+    const auto coedges = faces_.coedges_of(face);
     if (trees_[face] != nullptr) return trees_[face]->overlapping(box, [&](Index i) { visit(coedges[i] / 2); });
     for (const Index c : coedges) visit(c / 2);
   }
 
  private:
-  const Entities& entities_;
+  PlaneFaces faces_;
   std::vector<std::unique_ptr<BoxTree>> trees_;  // for faces of many edges, in flat coordinates
 };
 

@@ -15,9 +15,11 @@ namespace {
 class Imprinting {
  public:
   Imprinting(const Soup& soup, const Entities& entities, const Meetings& meetings, const Context& context)
-      : soup_(soup), in_(entities), at_(meetings), context_(context), places_(entities) {}
+      : soup_(soup), in_(entities), at_(meetings), context_(context), places_(entities.faces()) {}
 
   Result<Imprinted> run() {
+    out_.tolerance = in_.tolerance;
+    out_.stages = at_.stages;
     out_.points = at_.points;
     out_.shape.vertex_count = static_cast<Index>(at_.points.size());
     for (const Piece& p : at_.pieces) out_.shape.edges.push_back({p.a, p.b});
@@ -239,7 +241,7 @@ class Imprinting {
       } else {
         one[f] = count++;
         copy_face(all, f);
-        out_.normals.push_back(in_.planes[face_of_[f]].normal);
+        out_.planes.push_back(in_.planes[face_of_[f]]);
       }
       for (const Index member : in_.face_members[face_of_[f]]) names.emplace_back(one[f], vertices + edges + member);
     }

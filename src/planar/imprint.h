@@ -17,11 +17,15 @@
 namespace aresta::planar {
 
 struct Imprinted {
+  double tolerance = 0;
   std::vector<Vec3> points;
   Incidence shape;            ///< without radial order and regions
-  std::vector<Vec3> normals;  ///< per face, unit
+  std::vector<Plane> planes;  ///< per face: of the soup's face that it is a piece of
   /// What of the soup each entity lies in: all vertices, edges and faces of the soup, numbered through in that order.
   Lists vertex_names, edge_names, face_names;
+  Stages stages;  ///< how the decisions were taken
+
+  PlaneFaces faces() const { return {points, shape, planes, tolerance}; }
 };
 
 Result<Imprinted> imprint(const Soup& soup, double tolerance, const Context& context);

@@ -12,7 +12,8 @@ namespace aresta::planar {
 
 namespace {
 
-constexpr int most_rounds = 32;  // of segments and their crossings; two are the rule
+constexpr double nearly_parallel = 1e-3;  // sine of the angle between planes that are looked at twice
+constexpr int most_rounds = 32;           // of segments and their crossings; two are the rule
 
 class Meeting {
  public:
@@ -20,7 +21,7 @@ class Meeting {
       : in_(entities),
         context_(context),
         tolerance_(entities.tolerance),
-        places_(entities),
+        places_(entities.faces()),
         points_(entities.points),
         grid_(tolerance_, 2 * points_.size()),
         precision_(tolerance_ / 1024),
@@ -458,36 +459,41 @@ class Meeting {
     if (sine == 0) return;
     const Vec3 along = line / sine;
     const Vec3 origin = points_[common[0]];
-    double deviation = 0;
-    for (const Index v : common) {
-      const Vec3 to = points_[v] - origin;
-      deviation = std::max(deviation, norm(to - dot(to, along) * along));
-    }
-    // Faces that coincide over all of their common width have no segment of their own.
-    if (deviation > 8 * tolerance_ && sine * deviation <= 4 * tolerance_ && coincide(f, g)) return;
+    if (sine < nearly_parallel && coincide(f, g)) return;
     order_along(common, origin, along);
     for (std::size_t i = 1; i < common.size(); ++i) {
       const Index a = common[i - 1], b = common[i];
       if (piece_of_.contains(std::min(a, b), std::max(a, b))) continue;
-      const Vec3 middle = 0.5 * (points_[a] + points_[b]);
-      if (is_inside(f, middle) && is_inside(g, middle)) add_piece(a, b, f, g);
+      if (runs_inside(a, b, f) && runs_inside(a, b, g)) add_piece(a, b, f, g);
     }
   }
 
-  /// Is every corner of the one face that lies over the other near its plane, and the other way round?
-  bool coincide(Index f, Index g) const { return near_over(f, g) && near_over(g, f); }
-
-  bool near_over(Index f, Index g) const {
-    for (const Index c : in_.coedges_of(f)) {
-      const Vec3 p = points_[in_.shape.edges[c / 2][c % 2]];
-      const double d = in_.planes[g].distance(p);
-      if (std::abs(d) <= tolerance_) continue;
-      if (places_.locate(g, p - d * in_.planes[g].normal).place != Located::Place::outside) return false;
+  /// Are two nearly parallel planes one, within the tolerance, wherever the faces can be over each other? Then the
+  /// edges of each on the other say all, and there is no segment between them.
+  bool coincide(Index f, Index g) const {
+    const Box3 &a = in_.boxes[f], &b = in_.boxes[g];
+    const Plane &p = in_.planes[f], &q = in_.planes[g];
+    for (int i = 0; i < 8; ++i) {
+      Vec3 corner;
+      for (int k = 0; k < 3; ++k)
+        corner[k] = (i >> k & 1) != 0 ? std::min(a.high[k], b.high[k]) : std::max(a.low[k], b.low[k]);
+      corner = corner - p.distance(corner) * p.normal;
+      if (std::abs(q.distance(corner)) > 2 * tolerance_) return false;
     }
     return true;
   }
 
-  bool is_inside(Index f, Vec3 p) const { return places_.locate(f, p).place == Located::Place::inside; }
+  /// Does the segment between two vertices of the face run inside it? It may run nearer than the tolerance to an edge,
+  /// if it is not to be that edge: then it has an end elsewhere.
+  bool runs_inside(Index a, Index b, Index f) const {
+    const Located at = places_.locate(f, 0.5 * (points_[a] + points_[b]));
+    if (at.place != Located::Place::edges) return at.place == Located::Place::inside;
+    for (int i = 0; i < at.edge_count; ++i) {
+      const Index e = at.edge[static_cast<std::size_t>(i)];
+      if (is_on_edge(a, e) && is_on_edge(b, e)) return false;
+    }
+    return true;
+  }
 
   // ---- segments across segments ----
 

@@ -137,7 +137,7 @@ class ForgetfulEngine final : public FragmentEngine {
   const char* name() const override { return "forgetful"; }
   Result<Imprint> imprint(std::span<const ModelPtr> operands, double, const Context&) const override {
     // Says that the second block's faces are pieces of the first one's, a size too small.
-    Imprint out{to_builder(*operands[1]), {}, {}, {}};
+    Imprint out{to_builder(*operands[1]), {}, {}, {}, {}};
     const Complex& k = operands[1]->topology();
     for (const VertexId v : k.vertices()) out.vertex_parents.push_back({{0, v}, {1, v}});
     for (const EdgeId e : k.edges()) out.edge_parents.push_back({{0, e}, {1, e}});

@@ -65,6 +65,25 @@ TEST(FaceTrim, PlaneWithHole) {
   EXPECT_EQ(at({4.008, 4.008, 1}, 0.01), Position::outside);
 }
 
+TEST(FaceTrim, ThinTriangles) {
+  for (const double width : {1e-3, 1e-5, 1e-7}) {
+    ModelBuilder b;
+    const VertexId v[3] = {b.add_vertex({0, 0, 0}), b.add_vertex({1, 0, 0}), b.add_vertex({1, width, 0})};
+    b.begin_face(b.add_surface(Plane{Frame{}}), false);
+    for (int i = 0; i < 3; ++i) b.add_coedge(b.add_edge(v[i], v[(i + 1) % 3]), false);
+    b.close_loop();
+    b.end_face();
+    Result<Model> m = b.build({});
+    ASSERT_TRUE(m.ok()) << m.error().to_line();
+    const FaceTrim trim(*m, FaceId(0));
+    const auto at = [&](Vec3 p) { return trim.locate(m->surface(FaceId(0)).project(p).uv, 1e-9); };
+    EXPECT_EQ(at({0.7, 0.3 * width, 0}), Position::inside) << width;
+    EXPECT_EQ(at({0.7, 2 * width, 0}), Position::outside) << width;
+    EXPECT_EQ(at({0.7, -2 * width, 0}), Position::outside) << width;
+    EXPECT_EQ(at({0.3, 0.3, 0}), Position::outside) << width;
+  }
+}
+
 TEST(FaceTrim, CylinderConeSphereTorus) {
   for (const Seam seam : {Seam::none, Seam::bare, Seam::with_images}) {
     SCOPED_TRACE(static_cast<int>(seam));

@@ -42,7 +42,7 @@ double area(const Imprinted& i, Index f) {
                    i.points[i.shape.edges[code / 2][1 - code % 2]] - origin);
     }
   }
-  return 0.5 * dot(sum, i.normals[f]);
+  return 0.5 * dot(sum, i.planes[f].normal);
 }
 
 double whole_area(const Imprinted& i) {
