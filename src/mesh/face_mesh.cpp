@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "mesh/errors.h"
-#include "mesh/plane_triangulation.h"
+#include "math/plane_triangulation.h"
 #include "mesh/remesh.h"
 
 namespace aresta::mesh {

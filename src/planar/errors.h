@@ -10,5 +10,7 @@ inline constexpr ErrorCode face_not_planar{351, "planar.face_not_planar"};
 inline constexpr ErrorCode planar_unresolved{352, "planar.unresolved"};
 inline constexpr ErrorCode faces_coincide{353, "planar.faces_coincide"};
 inline constexpr ErrorCode nesting_undecided{354, "planar.nesting_undecided"};
+inline constexpr ErrorCode mesh_open{355, "planar.mesh_open"};
+inline constexpr ErrorCode mesh_inconsistent{356, "planar.mesh_inconsistent"};
 
 }  // namespace aresta::errors

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh/plane_triangulation.h"
+#include "math/plane_triangulation.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
-namespace aresta::mesh {
+namespace aresta {
 namespace {
 
 double total_area(const PlaneInput& input, const PlaneOutput& output) {
@@ -121,4 +121,4 @@ TEST(PlaneTriangulation, BrokenInputIsReported) {
 }
 
 }  // namespace
-}  // namespace aresta::mesh
+}  // namespace aresta

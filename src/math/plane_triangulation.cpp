@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh/plane_triangulation.h"
+#include "math/plane_triangulation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 
-namespace aresta::mesh {
+namespace aresta {
 
 namespace {
 
@@ -412,4 +412,4 @@ PlaneOutput triangulate_plane(const PlaneInput& input) {
   return Triangulation(input).run();
 }
 
-}  // namespace aresta::mesh
+}  // namespace aresta

@@ -17,7 +17,7 @@
 
 #include "math/vec.h"
 
-namespace aresta::mesh {
+namespace aresta {
 
 struct PlaneInput {
   std::vector<Vec2> points;
@@ -36,4 +36,4 @@ PlaneOutput triangulate_plane(const PlaneInput& input);
 /// Positive when a, b, c turn left, zero when they are in line; the sign is exact.
 double orient2d(Vec2 a, Vec2 b, Vec2 c);
 
-}  // namespace aresta::mesh
+}  // namespace aresta
