@@ -66,21 +66,24 @@ class Comparison {
   void say_places() {
     std::vector<bool> seen(grid_.count(EntityKind::vertex), false);
     for (const VertexId v : k_.vertices()) {
-      const auto at = placement_.steps(model_.point(v));
-      const EntityRef entity = at && on_lattice(*at) ? grid_.carrier(lattice_.point(*at)) : EntityRef();
+      const EntityRef entity = at_vertex(v);
       if (entity.kind == EntityKind::vertex && entity.index < seen.size() && !seen[entity.index]) {
         seen[entity.index] = true;
-      } else {
-        say("  a vertex too much at " + (at ? lattice_.text(lattice_.point(*at)) : std::string("no lattice point")));
+        continue;
       }
+      const Vec3 p = model_.point(v);
+      say("  a vertex too much at " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z));
     }
     for (std::size_t v = 0; v < seen.size(); ++v) {
       if (!seen[v]) say("  no vertex at " + text(VertexId(v)));
     }
   }
 
-  bool on_lattice(const Steps& p) const {
-    return std::all_of(p.begin(), p.end(), [&](int c) { return c >= 0 && c <= lattice_.steps(); });
+  /// What the grid has where a vertex of the model is; an entity without index when that is not on the lattice.
+  EntityRef at_vertex(VertexId v) const {
+    const auto at = placement_.steps(model_.point(v));
+    if (!at || !std::all_of(at->begin(), at->end(), [&](int c) { return c >= 0 && c <= lattice_.steps(); })) return {};
+    return grid_.carrier(lattice_.point(*at));
   }
 
   std::string text(EntityRef entity) const {
@@ -94,9 +97,8 @@ class Comparison {
   bool match_vertices() {
     std::vector<bool> seen(grid_.count(EntityKind::vertex), false);
     for (const VertexId v : k_.vertices()) {
-      const auto at = placement_.steps(model_.point(v));
-      const EntityRef entity = at && on_lattice(*at) ? grid_.carrier(lattice_.point(*at)) : EntityRef();
-      if (!at || entity.kind != EntityKind::vertex || entity.index >= seen.size() || seen[entity.index]) {
+      const EntityRef entity = at_vertex(v);
+      if (entity.kind != EntityKind::vertex || entity.index >= seen.size() || seen[entity.index]) {
         say_places();
         return false;
       }

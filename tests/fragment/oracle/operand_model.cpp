@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fragment/oracle/operand_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace aresta::grid {
 
@@ -23,7 +25,7 @@ std::optional<Steps> Placement::steps(Vec3 p) const {
   for (std::size_t a = 0; a < 3; ++a) {
     const double c = (matrix_[0][a] * p.x + matrix_[1][a] * p.y + matrix_[2][a] * p.z) / (double(scale_) * scale_);
     const double nearest = std::round(c);
-    if (!(std::abs(c - nearest) < 1e-6)) return std::nullopt;
+    if (!(std::abs(c) < 1e6) || std::abs(c - nearest) > 1e-6) return std::nullopt;
     result[a] = static_cast<int>(nearest);
   }
   return result;
