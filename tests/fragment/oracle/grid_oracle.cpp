@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fragments of random operands on a grid against an enumeration of the grid.
 //
-//   grid_oracle COUNT SEED [--engine NAME] [--turned] [--plant FAULT] [--least N] [--checked] [--may-refuse]
+//   grid_oracle COUNT SEED [--engine NAME] [--rotated] [--plant FAULT] [--least N] [--checked] [--may-refuse]
 //   grid_oracle --recipe FILE [--engine NAME] [--plant FAULT]
 //
 // Prints each failure as a recipe made as small as possible (which --recipe takes), how often operands met in which
 // way, and last a line of figures. The status is 1 when a fragment is wrong or refused (--may-refuse: wrong), or some
-// kind of contact occurred less than N times. --turned turns each model by a rational rotation; --plant turns one
+// kind of contact occurred less than N times. --rotated turns each model by a rational rotation; --plant turns one
 // decision of each fragment over (label, parent, sense, fill or piece), so that all must be wrong. With --checked a
 // fragment that differs counts as refused when the full checker finds a defect in it.
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Options {
   std::uint64_t seed = 0;
   std::string recipe_file;
   const FragmentEngine* engine = nullptr;
-  bool turned = false;
+  bool rotated = false;
   bool checked = false;
   bool may_refuse = false;
   Fault fault = Fault::none;
@@ -53,8 +53,8 @@ std::optional<Options> parse(int count, char** arguments) {
   for (int i = 1; i < count; ++i) {
     const std::string word = arguments[i];
     const bool has_value = i + 1 < count;
-    if (word == "--turned") {
-      options.turned = true;
+    if (word == "--rotated") {
+      options.rotated = true;
     } else if (word == "--checked") {
       options.checked = true;
     } else if (word == "--may-refuse") {
@@ -125,7 +125,7 @@ class RandomRun {
 
   /// Each case has a seed of its own, so that it can be looked at by itself.
   void try_case(std::uint64_t seed) {
-    const Recipe recipe = RandomRecipes(seed).next(options_.turned);
+    const Recipe recipe = RandomRecipes(seed).next(options_.rotated);
     const Enumeration expected = enumerate(recipe);
     shapes_ += recipe.shape_count();
     count_contacts(recipe, expected, contacts_);
@@ -158,7 +158,7 @@ class RandomRun {
   void print_figures() const {
     std::cout << "grid_oracle: seed " << options_.seed << ", cases " << options_.count << ", wrong " << wrong_
               << ", refused " << refused_ << ", skipped 0, coverage: " << shapes_ << " shapes"
-              << (options_.turned ? ", turned" : "") << ", " << contact_kinds().size()
+              << (options_.rotated ? ", rotated" : "") << ", " << contact_kinds().size()
               << " kinds of contact, the rarest " << rarest_ << " times";
     if (options_.fault != Fault::none) std::cout << ", faults planted " << planted_ << ", caught " << caught_;
     std::cout << "\n";
@@ -176,7 +176,7 @@ class RandomRun {
 int main(int count, char** arguments) {
   const auto options = parse(count, arguments);
   if (!options) {
-    std::cerr << "usage: grid_oracle COUNT SEED [--engine NAME] [--turned] [--plant FAULT] [--least N] [--checked] "
+    std::cerr << "usage: grid_oracle COUNT SEED [--engine NAME] [--rotated] [--plant FAULT] [--least N] [--checked] "
                  "[--may-refuse]\n"
                  "       grid_oracle --recipe FILE [--engine NAME] [--plant FAULT]\n";
     return 2;
