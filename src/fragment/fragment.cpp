@@ -64,6 +64,7 @@ std::vector<bool> filled_cells(const Fragment& result, const std::vector<std::ve
   }
   if (!detect_regions) return filled;
   for (const FaceId f : k.faces()) {
+    if (k.has_same_region_on_both_sides(f)) continue;  // encloses nothing
     const bool is_sheet =
         std::none_of(face_parents[f.index()].begin(), face_parents[f.index()].end(), [&](const Parent& p) {
           if (p.entity.kind != EntityKind::face) return false;

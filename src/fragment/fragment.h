@@ -15,7 +15,7 @@
 //
 // Regions of the result: a cell is filled when it lies in a region of some operand, or when it is enclosed with the
 // help of a face that bounds no operand's region (sheets that close a volume make a region; the void of a hollow body
-// stays empty).
+// stays empty, also with sheets hanging in it that separate nothing).
 #pragma once
 
 #include <array>

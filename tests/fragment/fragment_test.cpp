@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "construct/primitives.h"
+#include "construct/profiles.h"
 #include "model/check.h"
 #include "model/copy.h"
 #include "model/measure.h"
@@ -20,7 +21,8 @@ ModelPtr take(Result<Model> model) {
   return std::make_shared<const Model>(std::move(*model));
 }
 
-Fragment take(Result<Fragment> result) {
+template <class T>
+T take(Result<T> result) {
   if (!result.ok()) throw std::runtime_error(result.error().to_line());
   return std::move(*result);
 }
@@ -70,6 +72,21 @@ TEST(Fragment, SheetsThatEncloseMakeARegionAndVoidsStayEmpty) {
   FragmentOptions plain;
   plain.detect_regions = false;
   EXPECT_EQ(take(fragment({shell, take(block(1, 1, 1, {9, 0, 0}))}, plain, {})).model->regions().size(), 1u);
+}
+
+TEST(Fragment, AVoidStaysEmptyWhateverHangsInIt) {
+  ModelBuilder both = to_builder(*take(block(4, 4, 4)));
+  append(both, *take(block(2, 2, 2, {1, 1, 1})));
+  const Cells cells = take(both.find_cells({}));
+  const std::uint32_t outer = cells.of_face_use[1];  // behind the first face
+  std::vector<bool> filled(cells.count, false);
+  filled[outer] = true;
+  const ModelPtr hollow = take(both.build(cells, filled));
+  const ModelPtr sheet = take(polygon(std::vector<Vec3>{{1.5, 1.5, 2}, {2.5, 1.5, 2}, {2, 2.5, 2}}));
+  EXPECT_EQ(take(fragment({hollow, sheet}, {}, {})).model->regions().size(), 1u);
+  // Across the whole void the sheet encloses its halves.
+  const ModelPtr wall = take(polygon(std::vector<Vec3>{{1, 1, 2}, {3, 1, 2}, {3, 3, 2}, {1, 3, 2}}));
+  EXPECT_EQ(take(fragment({hollow, wall}, {}, {})).model->regions().size(), 3u);
 }
 
 TEST(Fragment, LabelsAndConstraintsFollowThePieces) {
