@@ -127,6 +127,12 @@ class Uniting {
         chain = known.find(static_cast<Index>(hash >> 32), static_cast<Index>(hash));
         for (same = chain; same != none && !same_edges(same, first_coedge); same = next[same]) chain = same;
       }
+      if (!thin) {
+        for (Index l = first_loop; l < out.loop_count(); ++l) {
+          if (out.loop_vertex[l] != none)
+            result_.vertex_in_face.emplace_back(same == none ? fresh : same, out.loop_vertex[l]);
+        }
+      }
       if (thin || same != none) {
         out.coedges.resize(first_coedge);
         out.loop_vertex.resize(first_loop);

@@ -24,6 +24,7 @@ struct Entities {
   std::vector<Plane> planes;
   std::vector<Box3> boxes;                ///< of faces
   std::vector<IndexPair> vertex_on_edge;  ///< (edge, vertex): of faces thinner than the tolerance
+  std::vector<IndexPair> vertex_in_face;  ///< (face, vertex): the vertex loops of all members
 
   Lists vertex_members, edge_members, face_members;     ///< the soup's entities that each of ours is, sorted
   Lists vertex_operands, edge_operands, face_operands;  ///< sorted, none twice

@@ -33,11 +33,7 @@ class Meeting {
     faces_ = BoxTree(std::move(boxes));
     find_wires();
     for (const auto& [edge, vertex] : in_.vertex_on_edge) put_on_edge(vertex, edge);
-    for (Index f = 0; f < in_.face_count(); ++f) {
-      for (Index l = in_.shape.face_begin[f]; l < in_.shape.face_begin[f + 1]; ++l) {
-        if (in_.shape.loop_vertex[l] != none) put_in_face(in_.shape.loop_vertex[l], f);
-      }
-    }
+    for (const auto& [face, vertex] : in_.vertex_in_face) put_in_face(vertex, face);
   }
 
   Result<Meetings> run() {

@@ -234,7 +234,7 @@ class Combining {
         const Index v = shape.edges[shape.coedges[c] / 2][shape.coedges[c] % 2];
         const auto names = pieces_.vertex_names[v];
         const Index m = owner_[f] == in_a ? 0 : 1;
-        if (vertex_owner_[v] == owner_[f] && names.front() < soup_.points.size())
+        if (owner_[f] != (in_a | in_b) && vertex_owner_[v] == owner_[f] && names.front() < soup_.points.size())
           parts_.unite(f, vertex_node(m, mesh_vertex_[names.front()]));
       }
     }

@@ -41,7 +41,7 @@ constexpr std::size_t most_printed = 10;
 
 /// Null: no such engine.
 const FragmentEngine* engine_named(const std::string& name) {
-  for (const FragmentEngine* engine : {&occt_engine()}) {
+  for (const FragmentEngine* engine : {&occt_engine(), &planar_engine()}) {
     if (name == engine->name()) return engine;
   }
   return nullptr;

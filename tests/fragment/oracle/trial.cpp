@@ -12,13 +12,17 @@ namespace aresta::grid {
 namespace {
 
 bool plant_label(Fragment& fragment) {
-  for (auto& labels : fragment.region_of) {
-    const auto other = std::find_if(labels.begin(), labels.end(), [&](RegionId r) { return r != labels.front(); });
-    if (other == labels.end()) continue;
-    *other = labels.front();
-    return true;
+  std::vector<std::vector<Parent>> labels;
+  bool planted = false;
+  for (const RegionId c : fragment.model->topology().regions()) {
+    const auto of_cell = fragment.labels.of(c);
+    labels.emplace_back(of_cell.begin(), of_cell.end());
+    if (planted || of_cell.empty()) continue;
+    labels.back().pop_back();
+    planted = true;
   }
-  return false;
+  fragment.labels = CellLabels(std::move(labels));
+  return planted;
 }
 
 bool plant_parent(Fragment& fragment) {
@@ -65,14 +69,19 @@ bool plant_fill(Fragment& fragment) {
 }
 
 bool plant_piece(Fragment& fragment) {
-  for (auto& of_operand : fragment.piece_table) {
-    for (auto& list : of_operand[2]) {
-      if (list.empty()) continue;
-      list.pop_back();
-      return true;
-    }
-  }
-  return false;
+  std::array<std::vector<std::vector<Parent>>, 3> parents;
+  const Complex& k = fragment.model->topology();
+  const auto copy = [&](EntityRef entity, std::vector<std::vector<Parent>>& to) {
+    const auto of = fragment.parents(entity);
+    to.emplace_back(of.begin(), of.end());
+  };
+  for (const VertexId v : k.vertices()) copy(v, parents[0]);
+  for (const EdgeId e : k.edges()) copy(e, parents[1]);
+  for (const FaceId f : k.faces()) copy(f, parents[2]);
+  if (parents[2].empty()) return false;
+  parents[2].front().pop_back();
+  fragment.piece_table = PieceTable(fragment.operands, {&parents[0], &parents[1], &parents[2]});
+  return true;
 }
 
 bool plant(Fault fault, Fragment& fragment) {
