@@ -8,6 +8,7 @@
 #include "document/errors.h"
 #include "document/shape.h"
 #include "draw/color.h"
+#include "draw/errors.h"
 #include "model/query.h"
 
 namespace aresta::document {
@@ -300,14 +301,16 @@ void register_access(Registry& r) {
                  ARESTA_CHECK(set_label(c, "name", c.string("text")));
                  return c["x"];
                }));
-  r.add(access("attribute",
-               {shape,
-                {.name = "key", .type = Type::string},
-                {.name = "value",
-                 .type = Type::any,
-                 .doc = "a number, a text, True or False; of \"color\" a text like \"#ff8000\""}},
-               "the shape", "Gives the entities of a shape an attribute.", "attribute(b, \"material\", \"steel\")",
-               set_attribute));
+  Command attribute = access("attribute",
+                             {shape,
+                              {.name = "key", .type = Type::string},
+                              {.name = "value",
+                               .type = Type::any,
+                               .doc = "a number, a text, True or False; of \"color\" a text like \"#ff8000\""}},
+                             "the shape", "Gives the entities of a shape an attribute.",
+                             "attribute(b, \"material\", \"steel\")", set_attribute);
+  attribute.errors = {errors::draw_bad_color};
+  r.add(std::move(attribute));
   r.add(access("attributes", {shape}, "a list of pairs (key, value)",
                "The attributes of the entities of a shape, the name among them.", "attributes(part(b, \"top\"))",
                attributes_of));

@@ -32,6 +32,10 @@ Error Parser::fail(const ErrorCode& code, std::string message) const {
   return fail_at(token().place, code, std::move(message));
 }
 
+Error Parser::not_expected() const {
+  return fail(errors::script_syntax, shown(token()) + " is not expected here");
+}
+
 Status Parser::expect(const char* text, const char* where) {
   if (accept(text)) return {};
   return fail(errors::script_syntax, std::string("expected '") + text + "' " + where + ", not " + shown(token()));

@@ -8,7 +8,7 @@ Result<ExprPtr> Parser::single_expression() {
   ExprPtr e;
   ARESTA_CHECK(expression_list(e));
   if (at(TokenKind::newline)) next();
-  if (!at(TokenKind::end)) return fail(errors::script_syntax, "unexpected " + shown(token()));
+  if (!at(TokenKind::end)) return not_expected();
   return e;
 }
 

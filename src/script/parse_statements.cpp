@@ -32,11 +32,10 @@ Status Parser::simple_line(Block& block) {
     return {};
   }
   if (at(TokenKind::end)) return {};
-  if (at(TokenKind::name) && token(0).place.line == last_place_.line && last_was_name_) {
-    return fail(errors::script_syntax,
-                "unexpected " + shown(token()) + ": a command's arguments go in brackets, as in name(1, 2)");
-  }
-  return fail(errors::script_syntax, "unexpected " + shown(token()));
+  Error error = not_expected();
+  const bool value = at(TokenKind::name) || at(TokenKind::integer) || at(TokenKind::real) || at(TokenKind::string);
+  if (value && last_was_name_) error.hint = "a command's arguments in brackets, as in name(1, 2)";
+  return error;
 }
 
 Status Parser::block(Block& body, const char* where) {
@@ -106,7 +105,6 @@ Status Parser::simple_statement(Block& out) {
   const Place place = token().place;
   Stmt s{.kind = StmtKind::pass, .place = place};
   last_was_name_ = at(TokenKind::name);
-  last_place_ = place;
   if (at(TokenKind::keyword)) {
     const std::string& word = token().text;
     if (word == "pass" || word == "break" || word == "continue") {

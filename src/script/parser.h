@@ -60,6 +60,7 @@ class Parser {
 
   Error fail_at(Place place, const ErrorCode& code, std::string message) const;
   Error fail(const ErrorCode& code, std::string message) const;
+  Error not_expected() const;
   Status expect(const char* text, const char* where);
   ExprPtr make(ExprKind kind, Place place) const;
 
@@ -118,8 +119,7 @@ class Parser {
   std::size_t at_ = 0;
   int depth_ = 0;
   int loops_ = 0;
-  Place last_place_;
-  bool last_was_name_ = false;
+  bool last_was_name_ = false;  ///< the statement began with a name
 };
 
 }  // namespace aresta::script

@@ -296,6 +296,7 @@ const struct {
     {"x = difference(group(block(2, 2, 2), block(2, 2, 2, at=(1, 0, 0))), block(1, 1, 1, at=(5, 0, 0)))",
      "t.ars:1:5: boolean.regions_overlap"},
     {"x = bounds(block(1, 1, 1) - block(2, 2, 2))", "t.ars:1:5: model.unknown_entity: bounds: the shape is empty"},
+    {"b = block(1, 1, 1)\nprint(b.volume())", "t.ars:2:9: script.type: a shape has no method 'volume'; try: volume(x)"},
     {"b = block(1, 1, 1)\nattribute(b, 'color', 'notacolor')",
      "t.ars:2:1: draw.bad_color: 'notacolor' is not a colour"},
     {"attribute(block(1, 1, 1), 'color', '#12345')", "t.ars:1:1: draw.bad_color: '#12345' is not a colour"},
