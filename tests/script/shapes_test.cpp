@@ -3,36 +3,10 @@
 // and scripts that must be refused, with the beginning of the message.
 #include <gtest/gtest.h>
 
-#include "document/commands.h"
 #include "run.h"
 
 namespace aresta::script {
 namespace {
-
-const document::Registry& modeller() {
-  static const document::Registry registry = [] {
-    document::Registry r;
-    document::register_modelling(r);
-    register_language(r);
-    return r;
-  }();
-  return registry;
-}
-
-Ran run_shapes(const std::string& text) {
-  Ran ran;
-  document::Session session;
-  session.registry = &modeller();
-  session.digits = document::Digits::shortest;
-  session.print = [&ran](const std::string& s) -> Status {
-    ran.printed += s;
-    return {};
-  };
-  Interpreter interpreter(session);
-  const Status status = interpreter.run(text, "t.ars");
-  if (!status) ran.error = status.error().to_line();
-  return ran;
-}
 
 struct Row {
   const char* what;
