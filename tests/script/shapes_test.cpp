@@ -14,6 +14,12 @@ struct Row {
 };
 
 const Row rows[] = {
+    {"a torus cut obliquely and put together again", R"(
+for normal in [(1, 2, 3), (3, 1, 0.5)]:
+    above, below = cut(torus(6, 1), (0, 0, 0), normal)
+    expect([volume(above), volume(below)], [6 * pi ** 2] * 2, rel=1e-8)
+    expect([volume(x) for x in [union(above, below), above + below]], [12 * pi ** 2] * 2, rel=1e-8)
+)"},
     {"block", R"(
 b = block(1, 2, 3, at=(4, 5, 6))
 expect([count(b, k) for k in ["regions", "shells", "faces", "edges", "vertices", "components"]], [1, 1, 6, 12, 8, 1])
