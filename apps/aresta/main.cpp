@@ -251,7 +251,8 @@ int main_in_words(int argc, char** argv) {
   render_command->add_flag("--perspective", picture.perspective, "as the eye sees it");
   render_command
       ->add_option("--explode", picture.explode,
-                   "how far regions move apart: 0 not at all (default), 1 to twice their distance")
+                   "how far regions move apart: 0 not at all (default), 1 to twice their distance, nested ones out of "
+                   "each other")
       ->type_name("F")
       ->check(must_be_number);
   render_command->add_option("--opacity", picture.opacity, "in PNG: of faces, from 0 to 1 (default)")

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 
 #include "document/info.h"
 #include "model/check.h"
@@ -259,32 +260,34 @@ Result<int> cut_file(Program& program, const CutCommandOptions& options) {
   if (options.above.empty() && options.below.empty() && options.section.empty()) {
     return Error{usage_error, "cut: say where results go: --above, --below or --section"};
   }
-  std::vector<std::string> outputs;
+  std::vector<std::string> places;
   for (const std::string& out : {options.above, options.below, options.section}) {
     if (out.empty()) continue;
     ARESTA_CHECK(check_output(Product::model, options.in, out, format_out(out, options.in, options)));
-    if (std::find(outputs.begin(), outputs.end(), out) != outputs.end())
+    const std::string place = std::filesystem::weakly_canonical(std::filesystem::absolute(out)).string();
+    if (std::find(places.begin(), places.end(), place) != places.end())
       return Error{usage_error, "cut: '" + out + "' is given for two results"};
-    outputs.push_back(out);
+    places.push_back(place);
   }
   Commands commands(program);
   const Value point = Value::tuple({plane[0], plane[1], plane[2]}),
               normal = Value::tuple({plane[3], plane[4], plane[5]});
   ARESTA_TRY(const Value shape, commands.import(options.in, format_in(options.in, options)));
+  std::vector<ShapeOutput> outputs;
+  const auto put = [&](const Value& result, const std::string& file) {
+    if (!file.empty()) outputs.push_back({result, file, format_out(file, options.in, options)});
+  };
   if (!options.above.empty() || !options.below.empty()) {
     ARESTA_TRY(const Value halves, commands.call("cut", {shape, point, normal}));
-    const std::string* files[] = {&options.above, &options.below};
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (files[i]->empty()) continue;
-      ARESTA_CHECK(commands.write("export", halves.items()[i], *files[i], format_out(*files[i], options.in, options)));
-      ARESTA_CHECK(tell(program, halves.items()[i], *files[i]));
-    }
+    put(halves.items()[0], options.above);
+    put(halves.items()[1], options.below);
   }
   if (!options.section.empty()) {
     ARESTA_TRY(const Value section, commands.call("section", {shape, point, normal}));
-    ARESTA_CHECK(commands.write("export", section, options.section, format_out(options.section, options.in, options)));
-    ARESTA_CHECK(tell(program, section, options.section));
+    put(section, options.section);
   }
+  ARESTA_CHECK(commands.export_all(outputs));
+  for (const ShapeOutput& o : outputs) ARESTA_CHECK(tell(program, o.shape, o.file));
   return static_cast<int>(status_done);
 }
 

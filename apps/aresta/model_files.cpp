@@ -17,6 +17,24 @@ namespace aresta::app {
 
 using document::Value;
 
+namespace {
+
+/// "step" of "a/b.step".
+std::string ending(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  return extension.empty() ? extension : extension.substr(1);
+}
+
+/// The user knows nothing of temporary files: what an error says of one is said of `name`.
+void name_as(Error& error, const std::string& temporary, const std::string& name) {
+  for (const std::string& words : {"the file " + temporary, temporary}) {
+    if (const auto at = error.message.find(words); at != std::string::npos)
+      error.message.replace(at, words.size(), name);
+  }
+}
+
+}  // namespace
+
 Commands::Commands(Program& program) : program_(program) {
   session_.registry = &all_commands();
   session_.context = program.context;
@@ -37,30 +55,52 @@ Result<Value> Commands::import(const std::string& file, const std::string& forma
   ARESTA_TRY(const TemporaryFile temporary, TemporaryFile::make(format));
   ARESTA_CHECK(write_file(temporary.path(), data));
   auto shape = call("import_file", {Value(temporary.path())}, {{"format", Value(format)}, {"check", Value(check)}});
-  if (!shape) {
-    // The user knows nothing of the temporary file.
-    std::string& message = shape.error().message;
-    for (const std::string& name : {"the file " + temporary.path(), temporary.path()}) {
-      if (const auto at = message.find(name); at != std::string::npos)
-        message.replace(at, name.size(), "standard input");
-    }
-  }
+  if (!shape) name_as(shape.error(), temporary.path(), "standard input");
   return shape;
+}
+
+Result<std::string> Commands::bytes(const std::string& command, const Value& shape, const std::string& file,
+                                    const std::string& format, std::vector<std::pair<std::string, Value>> keywords) {
+  const bool standard = file == "-";
+  if (standard && format.empty()) return Error{usage_error, "standard output needs --format, as in --format step"};
+  ARESTA_TRY(const TemporaryFile temporary, TemporaryFile::make(format.empty() ? ending(file) : format));
+  keywords.emplace_back("format", Value(format));
+  if (auto done = call(command, {shape, Value(temporary.path())}, std::move(keywords)); !done) {
+    name_as(done.error(), temporary.path(), standard ? "standard output" : file);
+    return std::move(done.error());
+  }
+  return read_file(temporary.path());
 }
 
 Status Commands::write(const std::string& command, const Value& shape, const std::string& file,
                        const std::string& format, std::vector<std::pair<std::string, Value>> keywords) {
-  keywords.emplace_back("format", Value(format));
   if (file != "-") {
+    keywords.emplace_back("format", Value(format));
     ARESTA_CHECK(call(command, {shape, Value(file)}, std::move(keywords)));
     return {};
   }
-  if (format.empty()) return Error{usage_error, "standard output needs --format, as in --format step"};
-  ARESTA_TRY(const TemporaryFile temporary, TemporaryFile::make(format));
-  ARESTA_CHECK(call(command, {shape, Value(temporary.path())}, std::move(keywords)));
-  ARESTA_TRY(const std::string data, read_file(temporary.path()));
+  ARESTA_TRY(const std::string data, bytes(command, shape, file, format, std::move(keywords)));
   ARESTA_CHECK(program_.output.write(data));
   return program_.output.flush();
+}
+
+Status Commands::export_all(const std::vector<ShapeOutput>& outputs) {
+  std::vector<std::string> data;
+  for (const ShapeOutput& o : outputs) {
+    ARESTA_TRY(std::string one, bytes("export", o.shape, o.file, o.format, {}));
+    data.push_back(std::move(one));
+  }
+  std::vector<FileData> files;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].file == "-") {
+      ARESTA_CHECK(program_.output.write(data[i]));
+    } else {
+      files.push_back({outputs[i].file, data[i]});
+    }
+  }
+  // First what can fail without a trace.
+  ARESTA_CHECK(program_.output.flush());
+  return write_files(files);
 }
 
 Status check_inputs(const std::vector<std::string>& inputs) {
@@ -71,18 +111,14 @@ Status check_inputs(const std::vector<std::string>& inputs) {
 Status check_output(Product product, const std::string& in, const std::string& out, const std::string& format) {
   if (out.empty()) return Error{usage_error, "the name of the output is empty"};
   if (out == "-" && format.empty()) return Error{usage_error, "standard output needs --format, as in --format step"};
-  std::string word = format;
-  if (word.empty()) {
-    word = std::filesystem::path(out).extension().string();
-    if (!word.empty()) word.erase(0, 1);
-  }
+  std::string word = format.empty() ? ending(out) : format;
   for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   const auto is_one_of = [&](std::initializer_list<const char*> words) {
     return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
   };
   const bool picture = is_one_of({"png", "svg", "html"}), mesh = is_one_of({"inp", "msh", "msh2", "vtu"});
   const bool good = product == Product::picture ? picture : product == Product::mesh ? mesh : !picture && !mesh;
-  if (good) return {};
+  if (good) return out == "-" ? Status{} : check_writable(out);
   const std::string from = in.empty() ? "IN" : in, to = " -o " + out + (format.empty() ? "" : " --format " + format);
   std::string message = product == Product::picture ? "a picture is written as png, svg or html"
                         : product == Product::mesh  ? "a mesh is written as inp, msh, msh2 or vtu"

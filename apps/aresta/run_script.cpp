@@ -95,6 +95,7 @@ Result<int> run_script(Program& program, const RunOptions& options) {
     return Error{usage_error, "--summary-file '" + options.summary_file + "' is the script itself"};
   ARESTA_TRY(const std::string text, standard_input ? read_standard_input(program.context)
                                                     : read_file(options.file, max_script_bytes, program.context));
+  if (!options.summary_file.empty() && options.summary_file != "-") ARESTA_CHECK(check_writable(options.summary_file));
 
   Lines printed;
   Json commands = Json::array();

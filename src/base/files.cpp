@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 namespace aresta {
 namespace {
@@ -48,40 +49,104 @@ bool is_named(const std::string& path) {
   return real != nullptr;
 }
 
-}  // namespace
+Error unwritable(const std::string& path, int reason) {
+  return file_error(errors::file_unwritable, "cannot write", path, reason);
+}
 
-Status write_file(const std::string& path, std::string_view data) {
-  const auto failed = [&](int reason) { return file_error(errors::file_unwritable, "cannot write", path, reason); };
-  struct stat old {};
-  const bool exists = ::stat(path.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) return failed(EISDIR);
+/// What stands under the name of a file to be written.
+struct Place {
+  bool exists = false;
+  mode_t mode = 0;
+  bool is_direct() const { return exists && !S_ISREG(mode); }  ///< a device or pipe
+};
 
-  if (exists && !S_ISREG(old.st_mode)) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file < 0) return failed(errno);
+Result<Place> place_of(const std::string& path) {
+  if (path.empty()) return unwritable(path, ENOENT);
+  struct stat info {};
+  if (::stat(path.c_str(), &info) != 0) return Place{};
+  if (S_ISDIR(info.st_mode)) return unwritable(path, EISDIR);
+  if (::access(path.c_str(), W_OK) != 0) return unwritable(path, errno);
+  return Place{true, info.st_mode};
+}
+
+Status write_directly(const FileData& file) {
+  const int descriptor = ::open(file.path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return unwritable(file.path, errno);
+  int reason = write_all(descriptor, file.data);
+  if (::close(descriptor) != 0 && reason == 0) reason = errno;
+  if (reason != 0) return unwritable(file.path, reason);
+  return {};
+}
+
+/// All bytes of a file on the disk under a temporary name, which is gone with this unless it took the file's name.
+class Staged {
+ public:
+  static Result<Staged> make(const std::string& path, std::string_view data, const Place& place) {
+    Staged staged;
+    staged.path_ = path;
+    staged.target_ = place.exists ? resolved(path) : path;
+    std::string name = staged.target_ + ".XXXXXX";
+    const int file = ::mkstemp(name.data());
+    if (file < 0) return unwritable(path, errno);
+    staged.temporary_ = std::move(name);
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
     int reason = write_all(file, data);
+    if (reason == 0 && ::fchmod(file, place.exists ? place.mode & 07777 : 0666 & ~mask) != 0) reason = errno;
+    if (reason == 0 && ::fsync(file) != 0) reason = errno;
     if (::close(file) != 0 && reason == 0) reason = errno;
-    if (reason != 0) return failed(reason);
+    if (reason != 0) return unwritable(path, reason);
+    return staged;
+  }
+  Staged(Staged&& other) noexcept
+      : path_(std::move(other.path_)),
+        target_(std::move(other.target_)),
+        temporary_(std::exchange(other.temporary_, {})) {}
+  Staged(const Staged&) = delete;
+  ~Staged() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  }
+  Status take_name() {
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) return unwritable(path_, errno);
+    temporary_.clear();
     return {};
   }
-  if (exists && ::access(path.c_str(), W_OK) != 0) return failed(errno);
 
-  const std::string target = exists ? resolved(path) : path;
-  std::string temporary = target + ".XXXXXX";
-  const int file = ::mkstemp(temporary.data());
-  if (file < 0) return failed(errno);
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  int reason = write_all(file, data);
-  if (reason == 0 && ::fchmod(file, exists ? old.st_mode & 07777 : 0666 & ~mask) != 0) reason = errno;
-  if (reason == 0 && ::fsync(file) != 0) reason = errno;
-  if (::close(file) != 0 && reason == 0) reason = errno;
-  if (reason == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) reason = errno;
-  if (reason != 0) {
-    ::unlink(temporary.c_str());
-    return failed(reason);
-  }
+ private:
+  Staged() = default;
+  std::string path_, target_, temporary_;
+};
+
+}  // namespace
+
+Status check_writable(const std::string& path) {
+  ARESTA_TRY(const Place place, place_of(path));
+  if (place.exists) return {};
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) return unwritable(path, errno);
   return {};
+}
+
+Status write_files(const std::vector<FileData>& files) {
+  std::vector<Staged> staged;
+  std::vector<const FileData*> direct;
+  for (const FileData& file : files) {
+    ARESTA_TRY(const Place place, place_of(file.path));
+    if (place.is_direct()) {
+      direct.push_back(&file);
+    } else {
+      ARESTA_TRY(Staged one, Staged::make(file.path, file.data, place));
+      staged.push_back(std::move(one));
+    }
+  }
+  for (const FileData* file : direct) ARESTA_CHECK(write_directly(*file));
+  for (Staged& one : staged) ARESTA_CHECK(one.take_name());
+  return {};
+}
+
+Status write_file(const std::string& path, std::string_view data) {
+  return write_files({{path, data}});
 }
 
 Result<std::string> read_file(const std::string& path, std::size_t limit, const Context& context) {

@@ -225,11 +225,11 @@ Result<Model> merge_disjoint(std::span<const Model* const> models, const Context
   if (const auto meeting = find_meeting(boxes)) {
     const Vec3 place = boxes[meeting->second].centre();
     return Error{errors::not_disjoint,
-                 "merge: the boxes of model " + std::to_string(meeting->first) + " and model " +
-                     std::to_string(meeting->second) + " meet, so that the models may touch",
+                 "items " + std::to_string(meeting->first) + " and " + std::to_string(meeting->second) +
+                     " (counted from 0) may touch: their boxes meet",
                  {},
                  std::array{place.x, place.y, place.z},
-                 "join them by union or fragment, which imprint them on each other"};
+                 "union or fragment, which join what meets"};
   }
   ModelBuilder builder;
   builder.tolerance = tolerance;

@@ -7,6 +7,8 @@
 #include "document/counting.h"
 #include "document/errors.h"
 #include "document/shape.h"
+#include "draw/color.h"
+#include "draw/errors.h"
 #include "model/query.h"
 
 namespace aresta::document {
@@ -114,7 +116,12 @@ Result<Value> set_attribute(Call& call) {
     return Error{errors::command_type,
                  "attribute: value must be a number, a text, True or False, not " + given_text(v)};
   }
-  ARESTA_CHECK(set_label(call, call.string("key"), value));
+  const std::string& key = call.string("key");
+  const auto* text = std::get_if<std::string>(&value);
+  if ((key == "name" || key == "color") && text == nullptr)
+    return Error{errors::command_type, "attribute: the value of \"" + key + "\" must be a text, not " + given_text(v)};
+  if (key == "color") ARESTA_CHECK(draw::color_from_text(*text));
+  ARESTA_CHECK(set_label(call, key, value));
   return call["x"];
 }
 
@@ -294,12 +301,16 @@ void register_access(Registry& r) {
                  ARESTA_CHECK(set_label(c, "name", c.string("text")));
                  return c["x"];
                }));
-  r.add(access("attribute",
-               {shape,
-                {.name = "key", .type = Type::string},
-                {.name = "value", .type = Type::any, .doc = "a number, a text, True or False"}},
-               "the shape", "Gives the entities of a shape an attribute.", "attribute(b, \"material\", \"steel\")",
-               set_attribute));
+  Command attribute = access("attribute",
+                             {shape,
+                              {.name = "key", .type = Type::string},
+                              {.name = "value",
+                               .type = Type::any,
+                               .doc = "a number, a text, True or False; of \"color\" a text like \"#ff8000\""}},
+                             "the shape", "Gives the entities of a shape an attribute.",
+                             "attribute(b, \"material\", \"steel\")", set_attribute);
+  attribute.errors = {errors::draw_bad_color};
+  r.add(std::move(attribute));
   r.add(access("attributes", {shape}, "a list of pairs (key, value)",
                "The attributes of the entities of a shape, the name among them.", "attributes(part(b, \"top\"))",
                attributes_of));

@@ -273,7 +273,8 @@ void register_files(Registry& r) {
              .default_value = false},
             {.name = "explode",
              .type = Type::number,
-             .doc = "how far regions move apart",
+             .doc = "how far regions move apart; 1: to twice their distance from the middle, nested ones clear of each "
+                    "other",
              .default_value = 0,
              .limits = not_negative},
             {.name = "width", .type = Type::integer, .unit = "pixels", .default_value = 1600, .limits = {16, 16384}},

@@ -55,7 +55,7 @@ const char* type_text(Type type) {
     case Type::point:
       return "a point (x, y, z)";
     case Type::direction:
-      return "a direction (x, y, z), not all zero";
+      return "a direction (x, y, z) other than (0, 0, 0)";
     case Type::points:
       return "a list of points [(x, y, z), ...]";
     case Type::point_lists:

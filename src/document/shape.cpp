@@ -215,13 +215,8 @@ Result<std::shared_ptr<Model>> as_model(const ModelShape& shape, const Context& 
   if (models.size() == 1) return models[0];
   std::vector<const Model*> pointers;
   for (const auto& m : models) pointers.push_back(m.get());
-  auto merged = merge_disjoint(pointers, context);
-  if (!merged) {
-    Error error = std::move(merged).error();
-    error.hint = "union or fragment, which join shapes that meet";
-    return error;
-  }
-  return std::make_shared<Model>(std::move(*merged));
+  ARESTA_TRY(Model merged, merge_disjoint(pointers, context));
+  return std::make_shared<Model>(std::move(merged));
 }
 
 std::vector<EntityRef> images_of(const Model& result, const Model& source, EntityRef entity) {

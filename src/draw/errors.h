@@ -13,5 +13,6 @@ inline constexpr ErrorCode draw_bad_size{1003, "draw.bad_size"};    ///< a pictu
 inline constexpr ErrorCode draw_bad_camera{1004, "draw.bad_camera"};
 inline constexpr ErrorCode draw_unknown_view{1005, "draw.unknown_view", Failure::usage};
 inline constexpr ErrorCode draw_bad_png{1006, "draw.bad_png", Failure::file};
+inline constexpr ErrorCode draw_bad_color{1007, "draw.bad_color"};  ///< a colour that is not written as "#rrggbb"
 
 }  // namespace aresta::errors

@@ -18,8 +18,13 @@ std::vector<DrawnLine> lines_of(const Scene& scene, const TriangleSoup& soup, co
   std::vector<DrawnLine> lines;
   for (const EdgeLine& edge : scene.edges) {
     if (edge.smooth) continue;
-    lines.push_back({edge.faces.empty() ? LineKind::wire : LineKind::feature, edge.edge, FaceId{}, edge.color,
-                     edge.points, edge.faces});
+    lines.push_back({edge.faces.empty() ? LineKind::wire : LineKind::feature,
+                     edge.edge,
+                     FaceId{},
+                     edge.color,
+                     edge.points,
+                     edge.faces,
+                     {}});
   }
   if (with_silhouettes) {
     for (DrawnLine& line : silhouettes(scene, soup, projector)) lines.push_back(std::move(line));
@@ -172,16 +177,19 @@ class Remover {
     const bool on_faces = va != PointNumbers::unknown && vb != PointNumbers::unknown;
     const double least = std::min(0.25, 2 * eps_ / distance(from, to));
     HiddenParts hidden(least);
-    tree_.along(p, q, far, [&](std::uint32_t item) {
-      const std::uint32_t t = triangle_of_[item];
-      const auto& c = soup_.corners[t];
-      const auto has = [&](std::uint32_t v) { return c[0] == v || c[1] == v || c[2] == v; };
-      if (on_faces && has(va) && has(vb)) return true;
-      const Shadow shadow(corners(t), projector_, eps_);
-      if (shadow.thin()) return true;
-      const Interval i = shadow.hidden(from, to);
-      return i.empty() || hidden.add(i);
-    });
+    const bool behind = !line.behind.empty() && line.behind[segment];
+    if (behind) hidden.add({0, 1});
+    if (!behind)
+      tree_.along(p, q, far, [&](std::uint32_t item) {
+        const std::uint32_t t = triangle_of_[item];
+        const auto& c = soup_.corners[t];
+        const auto has = [&](std::uint32_t v) { return c[0] == v || c[1] == v || c[2] == v; };
+        if (on_faces && has(va) && has(vb)) return true;
+        const Shadow shadow(corners(t), projector_, eps_);
+        if (shadow.thin()) return true;
+        const Interval i = shadow.hidden(from, to);
+        return i.empty() || hidden.add(i);
+      });
 
     const auto parameter = [&](double s) { return s == 0 ? t0 : s == 1 ? t1 : t0 + s * (t1 - t0); };
     const auto place = [&](double t) { return t == 0 ? start : t == 1 ? end : lerp(start, end, t); };

@@ -8,7 +8,7 @@
 // sight). All of these are linear along the segment, so the ends of hidden parts are roots of linear functions: exact
 // for the given triangles but for rounding (about 1e-15 of the scene). The union of the hidden parts is taken; what is
 // left is visible. Parallel and perspective views alike; triangles that reach behind the eye need no clipping. Parts of
-// lines behind the eye are left out.
+// lines behind the eye are left out. Segments of silhouettes beyond a cusp, which only the triangles show, are hidden.
 //
 // Tolerance: eps = max(1e-9 times the diagonal of the scene's box, 1e-14 times its largest coordinate), a length in
 // model units.
@@ -59,6 +59,7 @@ struct DrawnLine {
   Color color{20, 20, 20, 255};
   std::vector<Vec3> points;
   std::vector<FaceId> faces;  ///< that it bounds or outlines
+  std::vector<bool> behind;   ///< of a silhouette, for each segment: it lies behind its own curved surface (outline.h)
 };
 
 /// A part of one segment of a line, wholly visible or wholly hidden.

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/files.h"
+#include "draw/explode.h"
 #include "draw/text.h"
 #include "draw/viewer_assets.h"
 
@@ -31,6 +32,10 @@ std::string color_json(Color c) {
          "]";
 }
 
+std::string place_json(Vec3 p) {
+  return "[" + json_number(p.x) + "," + json_number(p.y) + "," + json_number(p.z) + "]";
+}
+
 std::string range_json(std::size_t first, std::size_t count) {
   return "[" + std::to_string(first) + "," + std::to_string(count) + "]";
 }
@@ -46,10 +51,13 @@ Result<std::string> scene_json(const Scene& scene, const HtmlOptions& options, c
   const Vec3 centre = box.centre();
   std::map<RegionId, std::size_t> region_at;
   std::string regions;
+  const std::map<RegionId, Vec3> ways = ways_apart(scene);
   for (const RegionInfo& r : scene.regions) {
     region_at.emplace(r.region, region_at.size());
+    const auto way = ways.find(r.region);
     append_entry(regions, "{\"id\":" + std::to_string(r.region.value) + ",\"name\":" + json_string(r.name) +
-                              ",\"color\":" + color_json(r.color) + ",\"volume\":" + json_number(r.volume) + "}");
+                              ",\"color\":" + color_json(r.color) + ",\"volume\":" + json_number(r.volume) +
+                              ",\"way\":" + place_json(way == ways.end() ? Vec3{} : way->second) + "}");
   }
   const auto region_json = [&](RegionId r) {
     const auto found = region_at.find(r);
@@ -102,7 +110,7 @@ Result<std::string> scene_json(const Scene& scene, const HtmlOptions& options, c
   for (const PointMark& m : scene.points) {
     const Vec3 p = m.point - centre;
     append_entry(marks, "{\"id\":" + std::to_string(m.vertex.value) + ",\"color\":" + color_json(m.color) +
-                            ",\"place\":[" + json_number(p.x) + "," + json_number(p.y) + "," + json_number(p.z) + "]}");
+                            ",\"place\":" + place_json(p) + "}");
   }
   const double size = box.diagonal() > 0 ? box.diagonal() : 1;
   return "{\"size\":" + json_number(size) + ",\"view\":" + json_string(to_string(options.view)) +

@@ -46,6 +46,7 @@ struct Fold {
   std::uint32_t patch;
   std::uint32_t edge;  ///< in Scene::edges, or none
   std::uint32_t a, b;
+  bool behind;
 };
 
 /// Chains folds of one patch and edge into lines.
@@ -82,6 +83,7 @@ void chain(const Scene& scene, const PointNumbers& numbers, const Fold* first, c
       const auto next = std::find_if(from, to, [&](End e) { return !used[e.fold]; });
       if (next == to) break;
       used[next->fold] = true;
+      line.behind.push_back(first[next->fold].behind);
       at = first[next->fold].a == at ? first[next->fold].b : first[next->fold].a;
       line.points.push_back(numbers.place(at));
     }
@@ -100,6 +102,63 @@ void chain(const Scene& scene, const PointNumbers& numbers, const Fold* first, c
     if (!used[i]) follow(first[i].a);
   }
 }
+
+/// What the normals of a patch say of a silhouette.
+class RadialCurvature {
+ public:
+  RadialCurvature(const Scene& scene, const TriangleSoup& soup, const Projector& projector)
+      : scene_(scene), soup_(soup), projector_(projector) {}
+
+  /// Whether the fold between two triangles lies behind the surface that they stand for, though it is convex towards
+  /// the eye. `faces_eye` is of the first; `same_sense`: the fronts of both are on one side.
+  bool is_behind(std::uint32_t p, std::uint32_t q, bool faces_eye, bool same_sense) const {
+    const double own = of(p), other = same_sense ? of(q) : -of(q);
+    const auto c = corners(p);
+    Vec3 towards_eye = cross(c[1] - c[0], c[2] - c[0]);
+    if (!faces_eye) towards_eye = -towards_eye;
+    // Of the two, which lie on one side of the fold in the picture, the second is nearer when it is before the plane of
+    // the first. The near one is seen from its side that faces the eye.
+    double ahead = 0;
+    for (const Vec3 corner : corners(q)) {
+      const double d = dot(towards_eye, corner - c[0]);
+      if (std::abs(d) > std::abs(ahead)) ahead = d;
+    }
+    const double seen_side = (ahead > 0) == faces_eye ? -1 : 1;
+    return seen_side * (own + other) < -least;
+  }
+
+ private:
+  static constexpr double least = 1e-6;
+
+  std::array<Vec3, 3> corners(std::uint32_t t) const {
+    const auto& c = soup_.corners[t];
+    return {soup_.numbers.place(c[0]), soup_.numbers.place(c[1]), soup_.numbers.place(c[2])};
+  }
+
+  /// How much the normal turns towards the sight over the triangle's size, along the sight; 0 without normals.
+  double of(std::uint32_t t) const {
+    const std::uint32_t f = soup_.patch[t];
+    const FacePatch& patch = scene_.faces[f];
+    if (patch.normals.empty()) return 0;
+    const auto& ids = patch.triangles[t - soup_.first[f]];
+    const auto c = corners(t);
+    const Vec3 normal = cross(c[1] - c[0], c[2] - c[0]);
+    const double twice = norm2(normal);
+    if (twice == 0) return 0;
+    const Vec3 sight = projector_.sight((c[0] + c[1] + c[2]) / 3);
+    double change = 0, longest = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 across = c[(i + 2) % 3] - c[(i + 1) % 3];
+      change += dot(patch.normals[ids[i]], sight) * dot(cross(normal, across), sight) / twice;
+      longest = std::max(longest, norm(across));
+    }
+    return change * longest;
+  }
+
+  const Scene& scene_;
+  const TriangleSoup& soup_;
+  const Projector& projector_;
+};
 
 }  // namespace
 
@@ -135,6 +194,7 @@ TriangleSoup triangle_soup(const Scene& scene) {
   std::vector<std::uint32_t> of_point;
   for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
     const FacePatch& patch = scene.faces[f];
+    soup.first.push_back(std::uint32_t(soup.corners.size()));
     of_point.clear();
     for (const Vec3 p : patch.points) of_point.push_back(soup.numbers.number(p));
     for (const auto& t : patch.triangles) {
@@ -200,6 +260,7 @@ std::vector<DrawnLine> silhouettes(const Scene& scene, const TriangleSoup& soup,
     }
   }
 
+  const RadialCurvature curvature(scene, soup, projector);
   std::vector<Fold> folds;
   for (std::size_t i = 0, end; i < sides.size(); i = end) {
     end = i + 1;
@@ -215,7 +276,8 @@ std::vector<DrawnLine> silhouettes(const Scene& scene, const TriangleSoup& soup,
         if (!one_patch && (edge == none || end - i != 2)) continue;
         const bool same_sense = p.forwards != q.forwards;  // the fronts of both are on one side
         if ((faces_eye[p.triangle] == faces_eye[q.triangle]) == same_sense) continue;
-        folds.push_back({soup.patch[p.triangle], edge, std::uint32_t(p.key >> 32), std::uint32_t(p.key)});
+        folds.push_back({soup.patch[p.triangle], edge, std::uint32_t(p.key >> 32), std::uint32_t(p.key),
+                         curvature.is_behind(p.triangle, q.triangle, faces_eye[p.triangle], same_sense)});
         k = end;
         j = end;
       }

@@ -33,10 +33,15 @@ struct TriangleSoup {
   PointNumbers numbers;
   std::vector<std::array<std::uint32_t, 3>> corners;
   std::vector<std::uint32_t> patch;
+  std::vector<std::uint32_t> first;  ///< triangle of each patch
 };
 TriangleSoup triangle_soup(const Scene& scene);
 
-/// The silhouettes of a scene's patches, chained, by patch.
+/// The silhouettes of a scene's patches, chained, by patch. Where a silhouette ends in a cusp, as that of the hole of a
+/// torus does, it turns back behind the surface. Triangles know the cusp no better than to their own size, and the
+/// sides of those just behind it would be seen as a hook. The normals tell: where the surface curves towards the eye
+/// along the sight (negative radial curvature: Koenderink, What Does the Occluding Contour Tell Us about Solid Shape?,
+/// 1984), a fold that the triangles take for the near one is `behind`.
 std::vector<DrawnLine> silhouettes(const Scene& scene, const TriangleSoup& soup, const Projector& projector);
 
 }  // namespace aresta::draw

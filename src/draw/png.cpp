@@ -287,6 +287,9 @@ Result<Image> render_image(const Scene& scene, const RenderOptions& options, con
   if (options.edges) {
     const bool silhouettes = options.silhouettes && options.faces;
     ARESTA_TRY(lines, drawn_lines(view.scene, view.camera, silhouettes, context));
+    if (options.opacity < 1) {  // what lies behind is seen as well
+      for (DrawnLine& line : lines) line.behind.clear();
+    }
   }
   return Renderer(view, options, lines).run(context);
 }

@@ -47,6 +47,7 @@ ScreenScene project(const View& view, const Projector& projector, int samples, b
       if ((line.kind == LineKind::wire) != wires) continue;
       const double radius = line.kind == LineKind::silhouette ? 0.75 * edge_radius : edge_radius;
       for (std::size_t i = 1; i < line.points.size(); ++i) {
+        if (!line.behind.empty() && line.behind[i - 1]) continue;
         Vec3 a = projector.to_view(line.points[i - 1]), b = projector.to_view(line.points[i]);
         if (clips && a.z < near && b.z < near) continue;
         if (clips && a.z < near) a = at_near(a, b);

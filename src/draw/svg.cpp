@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/files.h"
+#include "draw/color.h"
 #include "draw/hidden_lines.h"
 #include "draw/screen_scene.h"
 #include "draw/text.h"

@@ -60,16 +60,6 @@ std::string json_number(double value) {
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
-std::string color_text(Color c) {
-  constexpr char digits[] = "0123456789abcdef";
-  std::string text = "#";
-  for (const std::uint8_t v : {c.r, c.g, c.b}) {
-    text += digits[v >> 4];
-    text += digits[v & 15];
-  }
-  return text;
-}
-
 std::string escape_xml(std::string_view text) {
   std::string result;
   for_each_character(text, [&](std::string_view c) {

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <set>
 
 #include "draw/errors.h"
+#include "draw/explode.h"
 
 namespace aresta::draw {
 namespace {
@@ -17,11 +16,6 @@ Error not_finite(const std::string& what, EntityRef entity) {
 
 Error malformed(std::string message, EntityRef entity) {
   return Error{errors::draw_malformed, std::move(message), {entity}};
-}
-
-std::vector<Vec3> moved(std::vector<Vec3> points, Vec3 by) {
-  for (Vec3& p : points) p += by;
-  return points;
 }
 
 }  // namespace
@@ -66,57 +60,6 @@ Status check_scene(const Scene& scene) {
   if (!anything)
     return Error{errors::draw_empty, "there is nothing to draw: no face, edge or point", {}, {}, "draw something else"};
   return {};
-}
-
-Scene exploded(const Scene& scene, double factor) {
-  if (factor == 0) return scene;
-  const Vec3 centre = scene.bounds().centre();
-  std::map<RegionId, Box3> boxes;
-  std::map<FaceId, std::array<RegionId, 2>> regions_of;
-  for (const FacePatch& f : scene.faces) {
-    regions_of[f.face] = f.regions;
-    for (const RegionId r : f.regions) {
-      if (!r.valid()) continue;
-      for (const Vec3 p : f.points) boxes[r].add(p);
-    }
-  }
-  const auto shift = [&](RegionId r) { return r.valid() ? factor * (boxes[r].centre() - centre) : Vec3{}; };
-
-  Scene result = scene;
-  result.faces.clear();
-  result.edges.clear();
-  for (const FacePatch& f : scene.faces) {
-    const auto [front, back] = f.regions;
-    if (front == back || !front.valid() || !back.valid()) {
-      result.faces.push_back(f);
-      result.faces.back().points = moved(f.points, shift(front.valid() ? front : back));
-      continue;
-    }
-    for (int side = 0; side < 2; ++side) {
-      FacePatch copy = f;
-      copy.regions[1 - side] = RegionId{};
-      copy.points = moved(f.points, shift(f.regions[side]));
-      result.faces.push_back(std::move(copy));
-    }
-  }
-  for (const EdgeLine& e : scene.edges) {
-    std::set<RegionId> regions;  // an invalid id stands for what stays in place
-    for (const FaceId face : e.faces) {
-      const auto found = regions_of.find(face);
-      if (found == regions_of.end()) continue;
-      const auto& sides = found->second;
-      if (!sides[0].valid() && !sides[1].valid()) regions.insert(RegionId{});
-      for (const RegionId r : sides) {
-        if (r.valid()) regions.insert(r);
-      }
-    }
-    if (regions.empty()) regions.insert(RegionId{});
-    for (const RegionId r : regions) {
-      result.edges.push_back(e);
-      result.edges.back().points = moved(e.points, shift(r));
-    }
-  }
-  return result;
 }
 
 Result<View> prepare_view(const Scene& scene, const ViewOptions& options) {

@@ -16,7 +16,7 @@ struct ViewOptions {
   std::optional<Camera> camera = {};  ///< used as it is; without one, `view` fitted to the scene
   int width = 1600, height = 1200;    ///< pixels
   double margin = 0.05;               ///< free on each side, part of the picture's size
-  double explode = 0;  ///< how far regions move from the scene's centre: 0 not, 1 to twice their distance
+  double explode = 0;  ///< how far regions move apart: 0 not, 1 all of their way (ways_apart in explode.h)
 };
 
 enum class Coloring {
@@ -28,11 +28,6 @@ enum class Coloring {
 /// Nothing in it is out of range or not finite, and there is something to draw.
 /// Errors: draw_empty; draw_not_finite; draw_malformed; each names the entity.
 Status check_scene(const Scene& scene);
-
-/// The scene with each region moved by `factor` times the way from the scene's centre to the region's (middles of
-/// boxes). A face between two regions, and its edges, are there once for each. Faces without a region, wires and points
-/// stay.
-Scene exploded(const Scene& scene, double factor);
 
 /// A scene ready to be drawn and where it is seen from.
 struct View {

@@ -19,19 +19,7 @@ const points = decode(scene.points, Float32Array), normals = decode(scene.normal
 const triangles = decode(scene.triangles, Uint32Array), places = decode(scene.places, Float32Array);
 const regions = scene.regions, faces = scene.faces, edges = scene.edges, marks = scene.marks;
 
-for (const r of regions) Object.assign(r, {shown: true, low: [1e300, 1e300, 1e300], high: [-1e300, -1e300, -1e300]});
-for (const f of faces) {
-  for (const r of f.regions) {
-    if (r < 0) continue;
-    for (let v = f.points[0]; v < f.points[0] + f.points[1]; ++v) {
-      for (let k = 0; k < 3; ++k) {
-        regions[r].low[k] = Math.min(regions[r].low[k], points[3 * v + k]);
-        regions[r].high[k] = Math.max(regions[r].high[k], points[3 * v + k]);
-      }
-    }
-  }
-}
-for (const r of regions) r.way = r.low.map((low, k) => low <= r.high[k] ? (low + r.high[k]) / 2 : 0);
+for (const r of regions) r.shown = true;
 const wayOf = region => region < 0 ? [0, 0, 0] : regions[region].way;
 
 // A face between two regions is there once for each, so that regions can move apart.
@@ -72,7 +60,8 @@ const axes = () => {
 const slope = Math.tan(15 * Math.PI / 180);  // half the angle of sight in perspective
 const size = () => [canvas.clientWidth || 1, canvas.clientHeight || 1];
 const distance = () => state.height / 2 / slope;
-const reach = () => 0.52 * scene.size * (1 + state.explode) + Math.hypot(...state.target);
+const furthest = regions.reduce((most, r) => Math.max(most, Math.hypot(...r.way)), 0);
+const reach = () => 0.52 * scene.size + state.explode * furthest + Math.hypot(...state.target);
 
 // Projection of view coordinates (right, up, towards the eye, from the target) to clip space, by columns.
 const projection = () => {

@@ -29,6 +29,12 @@ class FragmentEngine {
   /// `tolerance` is absolute; 0 asks for the operands' own. Components of one operand are imprinted on each other, too.
   virtual Result<Imprint> imprint(std::span<const std::shared_ptr<const Model>> operands, double tolerance,
                                   const Context& context) const = 0;
+
+  /// May an imprint have left pieces of several operands that still coincide or cross, which again() finds?
+  virtual bool has_second_try() const { return false; }
+  /// The imprint of what an imprint left. Error: imprint_failed by an engine that does all in one round.
+  virtual Result<Imprint> again(const Imprint& imprint, std::size_t operands, double tolerance,
+                                const Context& context) const;
 };
 
 /// What coincides as a whole made one (identity.h), the rest intersected by the general fuse of OCCT: any mix of

@@ -283,6 +283,22 @@ const FragmentEngine& engine_for(std::span<const std::shared_ptr<const Model>> o
   return planar ? planar_engine() : occt_engine();
 }
 
+/// What cannot be finished is imprinted once more, by an engine that can; the first error counts.
+Result<Fragment> imprint_and_finish(const FragmentEngine& engine,
+                                    const std::vector<std::shared_ptr<const Model>>& operands,
+                                    const FragmentOptions& options, const Context& context) {
+  ARESTA_TRY(Imprint imprint, engine.imprint(operands, options.tolerance, context));
+  if (!engine.has_second_try()) return finish(operands, imprint, options, context);
+  const Imprint first = imprint;
+  Result<Fragment> done = finish(operands, imprint, options, context);
+  if (done.ok() || done.error().code == errors::cancelled) return done;
+  Result<Imprint> second = engine.again(first, operands.size(), options.tolerance, context);
+  if (!second.ok())
+    return second.error().code == errors::cancelled ? std::move(second).error() : std::move(done).error();
+  Result<Fragment> redone = finish(operands, *second, options, context);
+  return redone.ok() || redone.error().code == errors::cancelled ? std::move(redone) : std::move(done);
+}
+
 /// Parts that meet only in what they have as wholes need no intersecting.
 Result<std::optional<Fragment>> by_identity(const std::vector<std::shared_ptr<const Model>>& operands,
                                             const FragmentOptions& options, const Context& context) {
@@ -310,8 +326,7 @@ Result<Fragment> fragment_of_one(const std::shared_ptr<const Model>& model, cons
     // Whatever does not hang together in it is imprinted on each other.
     const FragmentEngine& engine = engine_for({&model, 1}, options);
     const std::vector<std::shared_ptr<const Model>> alone{model};
-    ARESTA_TRY(Imprint imprint, engine.imprint(alone, options.tolerance, context));
-    return finish(alone, imprint, options, context);
+    return imprint_and_finish(engine, alone, options, context);
   }
   std::vector<std::shared_ptr<const Model>> operands;
   for (const ModelPart& part : parts) operands.push_back(part.model);
@@ -329,9 +344,7 @@ Result<Fragment> fragment(std::vector<std::shared_ptr<const Model>> operands, co
                           const Context& context) {
   if (operands.empty()) return Error{errors::no_operands, "there is nothing to fragment"};
   if (operands.size() == 1) return fragment_of_one(operands.front(), options, context);
-  const FragmentEngine& engine = engine_for(operands, options);
-  ARESTA_TRY(Imprint imprint, engine.imprint(operands, options.tolerance, context));
-  return finish(std::move(operands), imprint, options, context);
+  return imprint_and_finish(engine_for(operands, options), operands, options, context);
 }
 
 }  // namespace aresta

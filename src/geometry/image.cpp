@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace aresta {
 
 namespace {
 
-constexpr int most_spans = 512;
+constexpr std::size_t most_spans = 1024;
 constexpr double unit_speed = 1e-6;
 
 class ImageFinder {
@@ -20,15 +21,30 @@ class ImageFinder {
   std::optional<CurveImage> run() {
     if (!(range_.low < range_.high) || !std::isfinite(range_.length())) return std::nullopt;
     if (auto straight = line()) return straight;
-    for (int spans = 4; spans <= most_spans; spans *= 2) {
-      const auto image = hermite(spans);
+    std::vector<double> places = divided(range_);
+    while (places.size() <= most_spans) {
+      const auto image = hermite(places);
       if (!image) return std::nullopt;
-      if (const auto off = deviation(*image, spans)) return CurveImage{*image, *off};
+      std::vector<double> finer{places.front()};
+      double most = 0;
+      for (std::size_t i = 1; i < places.size(); ++i) {
+        const Range span{places[i - 1], places[i]};
+        const auto off = deviation(*image, span);
+        if (!off) finer.push_back(span.middle());
+        finer.push_back(places[i]);
+        most = std::max(most, off.value_or(0));
+      }
+      if (finer.size() == places.size()) return CurveImage{*image, most};
+      places = std::move(finer);
     }
     return std::nullopt;
   }
 
  private:
+  static std::vector<double> divided(Range range) {
+    return {range.low, range.at(0.25), range.middle(), range.at(0.75), range.high};
+  }
+
   Vec2 foot(double t) const {
     const Vec3 p = curve_.point(t);
     const Vec2 hint = near_(t);
@@ -49,9 +65,13 @@ class ImageFinder {
     if (!(std::abs(norm(d) - 1) <= unit_speed)) return std::nullopt;
     const Vec2 unit = d / norm(d);
     const Curve2 image(Line2{a - s * unit, unit});
-    const auto off = deviation(image, 4);
-    if (!off) return std::nullopt;
-    return CurveImage{image, *off};
+    double most = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto off = deviation(image, {divided(range_)[i], divided(range_)[i + 1]});
+      if (!off) return std::nullopt;
+      most = std::max(most, *off);
+    }
+    return CurveImage{image, most};
   }
 
   struct Knot {
@@ -71,19 +91,20 @@ class ImageFinder {
     return Knot{uv, {(vv * ru - cross_term * rv) / determinant, (uu * rv - cross_term * ru) / determinant}};
   }
 
-  std::optional<Curve2> hermite(int spans) const {
+  std::optional<Curve2> hermite(const std::vector<double>& places) const {
+    const std::size_t spans = places.size() - 1;
     std::vector<std::optional<Knot>> knots;
     NurbsCurve2Data data;
     data.degree = 3;
-    for (int i = 0; i <= spans; ++i) {
-      const double t = i == spans ? range_.high : range_.at(static_cast<double>(i) / spans);
+    for (std::size_t i = 0; i <= spans; ++i) {
+      const double t = places[i];
       data.knots.push_back(t);
       data.multiplicities.push_back(i == 0 || i == spans ? 4 : 2);
       knots.push_back(knot(t));
       if (!knots.back() && i != 0 && i != spans) return std::nullopt;
     }
     // At a pole the image ends where it is said to; it comes in straight.
-    for (const std::size_t end : {std::size_t{0}, static_cast<std::size_t>(spans)}) {
+    for (const std::size_t end : {std::size_t{0}, spans}) {
       if (knots[end]) continue;
       const std::size_t next = end == 0 ? 1 : end - 1;
       if (!knots[next]) return std::nullopt;
@@ -103,10 +124,9 @@ class ImageFinder {
     return Curve2(*made);
   }
 
-  std::optional<double> deviation(const Curve2& image, int spans) const {
+  std::optional<double> deviation(const Curve2& image, Range span) const {
     double most = 0;
-    for (int i = 0; i <= 4 * spans; ++i) {
-      const double t = i == 4 * spans ? range_.high : range_.at(i / (4.0 * spans));
+    for (const double t : divided(span)) {
       const double off = distance(surface_.point(image.point(t)), curve_.point(t));
       if (!(off <= tolerance_)) return std::nullopt;
       most = std::max(most, off);

@@ -2,6 +2,7 @@
 #include "model/face_moments_detail.h"
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "math/quadrature.h"
@@ -136,11 +137,16 @@ struct GreenSum {
   double error = 0;
   double content = 0;  // of the largest part, for rounding
 
-  void add(const Integral<PatchMoments>& part, double factor = 1) {
+  void add(const Integral<PatchMoments>& part) {
     for (std::size_t i = 0; i < m.size(); ++i) {
-      m[i] += factor * part.value[i];
+      m[i] += part.value[i];
       content = std::max(content, std::abs(part.value[i]));
     }
+    error += part.error;
+  }
+  void add(const GreenSum& part, double factor) {
+    for (std::size_t i = 0; i < m.size(); ++i) m[i] += factor * part.m[i];
+    content = std::max(content, part.content);
     error += std::abs(factor) * part.error;
   }
 };
@@ -236,18 +242,37 @@ class Green {
   }
 
   void along_segment(Vec2 a, Vec2 b) {
-    if (across(a) == across(b)) return;
+    const double way = across(b) - across(a), period = period_across();
+    if (way == 0) return;
+    if (inner(a) == inner(b) && std::abs(std::abs(way) - period) <= 1e-12 * period) {  // a pole's, once around
+      sum_.add(turn(inner(a)), way < 0 ? -1 : 1);
+      return;
+    }
+    std::vector<double> ends{0};
+    for (const double u : patch_->breaks(across(a), across(b))) ends.push_back((u - across(a)) / way);
+    ends.push_back(1);
     const auto density = [&](double t) {
       const Vec2 uv = a + t * (b - a);
-      return scaled(patch_->strip(across(uv), inner(uv)), across(b) - across(a));
+      return scaled(patch_->strip(across(uv), inner(uv)), way);
     };
-    sum_.add(integrate(density, 0.0, 1.0, quadrature_));
+    for (std::size_t i = 1; i < ends.size(); ++i) sum_.add(integrate(density, ends[i - 1], ends[i], quadrature_));
   }
 
+  double period_across() const { return swapped_ ? image_.period.y : image_.period.x; }
+
   /// The line of constant inner parameter, once around.
-  Integral<PatchMoments> turn(double v) const {
-    const double period = swapped_ ? image_.period.y : image_.period.x;
-    return integrate([&](double u) { return patch_->strip(u, v); }, 0.0, period, quadrature_);
+  const GreenSum& turn(double v) {
+    const auto known = turns_.find(v);
+    if (known != turns_.end()) return known->second;
+    const double period = period_across();
+    std::vector<double> ends{0};
+    for (const double u : patch_->breaks(0, period)) ends.push_back(u);
+    ends.push_back(period);
+    GreenSum& sum = turns_[v];
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      sum.add(integrate([&](double u) { return patch_->strip(u, v); }, ends[i - 1], ends[i], quadrature_));
+    }
+    return sum;
   }
 
   Status close_windings() {
@@ -291,9 +316,9 @@ class Green {
     return error;
   }
 
-  void add_whole_surfaces(GreenSum& sum, double side) const {
+  void add_whole_surfaces(GreenSum& sum, double side) {
     GreenSum whole;
-    whole.add(turn(*patch_->high_end));
+    whole.add(turn(*patch_->high_end), 1);
     whole.add(turn(*patch_->low_end), -1);
     const double total = whole.m[0];  // positive: the area between the ends
     double area = side * sum.m[0];
@@ -340,6 +365,7 @@ class Green {
   bool swapped_ = false;
   const Patch* patch_ = nullptr;
   GreenSum sum_;
+  std::map<double, GreenSum> turns_;  // by the inner parameter; often asked for twice
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/patch_detail.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -98,6 +99,9 @@ Patch::Patch(const Surface& surface, const Range2& box, bool swapped, const Patc
         std::isfinite(domain.v.length())) {
       const NurbsSurfaceData data = surface.to_nurbs(domain);
       knots_ = swapped ? data.knots_u : data.knots_v;
+      breaks_ = swapped ? data.knots_v : data.knots_u;
+      breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
+      period_ = swapped ? period.y : period.x;
       if (period_along > 0) {
         const std::vector<double> once = knots_;
         for (const double turn : {-1.0, 1.0}) {
@@ -114,6 +118,24 @@ Patch::Patch(const Surface& surface, const Range2& box, bool swapped, const Patc
 void Patch::start_at_singular_end(Range along, double end) {
   const double near = 1e-3 * along.length();
   if (std::abs(along.low - end) <= near || std::abs(along.high - end) <= near) v0_ = end;
+}
+
+std::vector<double> Patch::breaks(double from, double to) const {
+  std::vector<double> found;
+  const double low = std::min(from, to), high = std::max(from, to);
+  for (const double k : breaks_) {
+    const double first = period_ > 0 ? k + period_ * std::ceil((low - k) / period_) : k;
+    for (double u = first; u < high; u += period_) {
+      if (u > low) found.push_back(u);
+      if (!(period_ > 0)) break;
+    }
+  }
+  std::sort(found.begin(), found.end());
+  // The ends of a period are one place.
+  const double near = 1e-9 * (high - low);
+  found.erase(std::unique(found.begin(), found.end(), [&](double a, double b) { return b - a < near; }), found.end());
+  if (from > to) std::reverse(found.begin(), found.end());
+  return found;
 }
 
 PatchMoments Patch::strip(double u, double v) const {

@@ -28,6 +28,9 @@ class Patch {
   Patch(const Surface& surface, const Range2& box, bool swapped, const PatchOptions& options);
 
   PatchMoments strip(double u, double v) const;
+  /// The u strictly between two others, in order, where the surface is less smooth than elsewhere: an integral of
+  /// strips is a sum over the pieces between them.
+  std::vector<double> breaks(double from, double to) const;
   /// The largest error of the strips asked for so far (free-form surfaces).
   double worst_error() const { return worst_; }
 
@@ -47,7 +50,8 @@ class Patch {
   PatchOptions options_;
   bool swapped_;
   double v0_ = 0, sign_ = 1;
-  std::vector<double> knots_;
+  std::vector<double> knots_, breaks_;  ///< along v and u; of a periodic parameter those of one period in breaks_
+  double period_ = 0;                   ///< of u
   mutable double worst_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <BOPAlgo_Alerts.hxx>
 #include <BOPAlgo_Builder.hxx>
 #include <BOPAlgo_PaveFiller.hxx>
+#include <BOPDS_DS.hxx>
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -271,6 +272,14 @@ class GeneralFuse {
 
   TopTools_ListOfShape images(const TopoDS_Shape& shape) {
     if (fused_) {
+      // A vertex that was made one with another, and this with a third: the history stops at the second.
+      const BOPDS_DS& data = *filler_.PDS();
+      int last = -1;
+      if (const int own = data.Index(shape); own >= 0 && data.HasShapeSD(own, last)) {
+        TopTools_ListOfShape merged;
+        merged.Append(data.Shape(last));
+        return merged;
+      }
       const TopTools_ListOfShape& modified = builder_.Modified(shape);
       if (!modified.IsEmpty()) return modified;
     }
@@ -309,6 +318,9 @@ class GeneralFuse {
         for (const auto* choice : choices) {
           if (choice->empty()) continue;
           std::vector<FuseParent> sorted = *choice;
+          const auto dimension = [](const FuseParent& p) { return p.entity.kind; };
+          const EntityKind least = std::ranges::min(sorted, {}, dimension).entity.kind;
+          std::erase_if(sorted, [&](const FuseParent& p) { return p.entity.kind != least; });
           std::sort(sorted.begin(), sorted.end());
           sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
           to.insert(to.end(), sorted.begin(), sorted.end());
@@ -335,10 +347,10 @@ class GeneralFuse {
       for (int p = 1; p <= parts.Extent(); ++p) {
         if (const int v = maps_.vertices.FindIndex(parts(p)); v > 0) {
           lists.by_vertex[static_cast<std::size_t>(v - 1)].push_back(parent);
-          found = found || parent.entity.kind == EntityKind::vertex;
+          found = found || shape.ShapeType() == TopAbs_VERTEX;
         } else if (const int e = maps_.edges.FindIndex(parts(p)); e > 0) {
           lists.by_edge[static_cast<std::size_t>(e - 1)].push_back(parent);
-          found = found || parent.entity.kind == EntityKind::edge;
+          found = found || shape.ShapeType() == TopAbs_EDGE;
         } else if (const int f = maps_.faces.FindIndex(parts(p)); f > 0) {
           FuseParent of_face = parent;
           ARESTA_TRY(const bool opposite, is_opposite(TopoDS::Face(maps_.faces(f)), member));

@@ -39,7 +39,8 @@ struct FuseResult {
 
 /// What is to be fused: the operands' entities in one model. An entity that several operands have (or that is known to
 /// coincide as a whole) is there once, with a parent for each of them: it is not compared with itself. The model's
-/// cells, fills and radial order are not looked at (ModelBuilder::provisional gives enough).
+/// cells, fills and radial order are not looked at (ModelBuilder::provisional gives enough). A parent may be of higher
+/// dimension than its entity, as in the result of a fuse, which can be fused again.
 struct FuseInput {
   std::shared_ptr<const Model> model;
   std::size_t operands = 0;

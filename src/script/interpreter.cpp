@@ -517,7 +517,12 @@ Status Interpreter::eval_method(const Expr& e, Value& out) {
     return at(Error{errors::script_type, "." + e.text + " takes no named arguments"}, e.place);
   }
   for (const Value& v : arguments.positional) watch(target, v);
-  return at(method(target, e.text, std::move(arguments.positional), out), e.place);
+  Status status = method(target, e.text, std::move(arguments.positional), out);
+  if (!status && status.error().hint.empty() && target.is(Value::Kind::shape) &&
+      session_.registry->find(e.text) != nullptr) {
+    status.error().hint = e.text + "(x)";
+  }
+  return at(std::move(status), e.place);
 }
 
 Status Interpreter::eval_slice(const Expr& e, Value& out) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "draw/color.h"
 #include "model/measure.h"
 #include "occt/tessellate.h"
 
@@ -20,22 +21,20 @@ constexpr draw::Color palette[] = {
     {205, 195, 140, 255}, {130, 205, 205, 255}, {235, 175, 205, 255}, {175, 185, 195, 255}, {195, 160, 135, 255}};
 constexpr draw::Color sheet_color{200, 205, 190, 255};
 
-std::optional<draw::Color> parse_color(const Labels& labels, EntityRef entity) {
+/// The entity's own colour, if it has one.
+Result<std::optional<draw::Color>> own_color(const Labels& labels, EntityRef entity) {
   const auto found = labels.attributes.find(entity);
-  if (found == labels.attributes.end()) return {};
-  const auto color = found->second.find("color");
-  if (color == found->second.end()) return {};
-  const auto* text = std::get_if<std::string>(&color->second);
-  if (text == nullptr || text->size() != 7 || (*text)[0] != '#') return {};
-  std::uint32_t value = 0;
-  for (const char c : text->substr(1)) {
-    const char lower = static_cast<char>(c | 0x20);
-    const int digit = c >= '0' && c <= '9' ? c - '0' : lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-    if (digit < 0) return {};
-    value = 16 * value + static_cast<std::uint32_t>(digit);
+  if (found == labels.attributes.end()) return std::optional<draw::Color>();
+  const auto written = found->second.find("color");
+  if (written == found->second.end()) return std::optional<draw::Color>();
+  const auto* text = std::get_if<std::string>(&written->second);
+  Result<draw::Color> color = draw::color_from_text(text == nullptr ? "" : *text);
+  if (!color) {
+    Error error = std::move(color.error());
+    error.entities = {entity};
+    return error;
   }
-  return draw::Color{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
-                     static_cast<std::uint8_t>(value), 255};
+  return std::optional(*color);
 }
 
 /// White lines, as files made for dark screens have, would not be seen on paper.
@@ -55,8 +54,8 @@ class SceneMaker {
     ARESTA_TRY(triangles_, tessellate(model_, fineness, context_));
     scene_.title = options_.title;
     ARESTA_CHECK(add_regions());
-    for (const FaceId f : k_.faces()) add_face(f);
-    for (const EdgeId e : k_.edges()) add_edge(e);
+    for (const FaceId f : k_.faces()) ARESTA_CHECK(add_face(f));
+    for (const EdgeId e : k_.edges()) ARESTA_CHECK(add_edge(e));
     for (const VertexId v : k_.vertices()) {
       if (k_.isolated_in_shell(v).valid()) scene_.points.push_back({v, model_.point(v), {180, 30, 30, 255}});
     }
@@ -71,7 +70,8 @@ class SceneMaker {
       draw::RegionInfo info;
       info.region = r;
       info.name = model_.labels.name(r);
-      info.color = parse_color(model_.labels, r).value_or(palette[place++ % std::size(palette)]);
+      ARESTA_TRY(const auto own, own_color(model_.labels, r));
+      info.color = own ? *own : palette[place++ % std::size(palette)];
       if (options_.volumes) {
         ARESTA_TRY(const Moments moments, measure(model_, r, MeasureOptions{1e-8}));
         info.volume = moments.measure;
@@ -82,7 +82,7 @@ class SceneMaker {
     return {};
   }
 
-  void add_face(FaceId f) {
+  Status add_face(FaceId f) {
     draw::FacePatch patch;
     patch.face = f;
     for (int side = 0; side < 2; ++side) {
@@ -98,15 +98,17 @@ class SceneMaker {
     for (const RegionId r : {patch.regions[0], patch.regions[1]}) {  // the region behind has the last word
       if (r.valid()) patch.color = color_of_.at(r);
     }
-    if (const auto own = parse_color(model_.labels, f)) {
+    ARESTA_TRY(const auto own, own_color(model_.labels, f));
+    if (own) {
       patch.color = *own;
       patch.own_color = true;
     }
     patch.kind = model_.surface(f).kind();
     scene_.faces.push_back(std::move(patch));
+    return {};
   }
 
-  void add_edge(EdgeId e) {
+  Status add_edge(EdgeId e) {
     draw::EdgeLine line;
     line.edge = e;
     line.points = std::move(triangles_.edges[e.index()]);
@@ -114,8 +116,10 @@ class SceneMaker {
       if (line.faces.empty() || line.faces.back() != k_.face(c)) line.faces.push_back(k_.face(c));
     }
     line.smooth = is_smooth(e);
-    if (const auto own = parse_color(model_.labels, e); own && !is_pale(*own)) line.color = *own;
+    ARESTA_TRY(const auto own, own_color(model_.labels, e));
+    if (own && !is_pale(*own)) line.color = *own;
     scene_.edges.push_back(std::move(line));
+    return {};
   }
 
   bool is_smooth(EdgeId e) const {

@@ -21,7 +21,7 @@ struct SceneOptions {
 /// Colours: attribute "color" ("#rrggbb") of a face, else of the region behind it, else of that before it, else of a
 /// palette by the region's place among the model's; of an edge its own, unless it is too pale for a white ground.
 /// Names: attribute "name". An edge is smooth when it is a seam or the two faces that it joins have one tangent plane
-/// along it. Errors: those of tessellate and measure, cancelled.
+/// along it. Errors: those of tessellate and measure; draw_bad_color, with the entity; cancelled.
 Result<draw::Scene> make_scene(const Model& model, const SceneOptions& options = {}, const Context& context = {});
 
 }  // namespace aresta

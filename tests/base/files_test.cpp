@@ -75,6 +75,29 @@ TEST_F(Files, FollowsALinkAndKeepsPermissions) {
   EXPECT_EQ(info.st_mode & 07777, 0640u);
 }
 
+TEST_F(Files, FilesThatBelongTogetherAreAllThereOrNone) {
+  ASSERT_TRUE(write_files({{path("a"), "one"}, {path("b"), "two"}}));
+  EXPECT_EQ(*read_file(path("a")) + *read_file(path("b")), "onetwo");
+  for (const std::string& bad : {path("none/c"), std::string("/dev/full"), folder_.string(), std::string()}) {
+    const Status failed = write_files({{path("a"), "new"}, {bad, "x"}, {path("d"), "new"}});
+    ASSERT_FALSE(failed.ok()) << bad;
+    EXPECT_EQ(failed.error().code, errors::file_unwritable);
+    EXPECT_EQ(*read_file(path("a")), "one");
+    EXPECT_EQ(entries(), 2);
+  }
+}
+
+TEST_F(Files, WhatCannotBeWrittenIsKnownBefore) {
+  EXPECT_TRUE(check_writable(path("new")).ok());
+  EXPECT_TRUE(check_writable("/dev/full").ok());
+  EXPECT_FALSE(fs::exists(path("new")));
+  for (const std::string& bad : {path("none/f"), folder_.string(), std::string(), std::string("/nowhere/f")}) {
+    const Status known = check_writable(bad);
+    ASSERT_FALSE(known.ok()) << bad;
+    EXPECT_EQ(known.error().message, write_file(bad, "x").error().message);
+  }
+}
+
 TEST_F(Files, FailuresNameThePathAndLeaveNothing) {
   const Status no_folder = write_file(path("none/f"), "x");
   ASSERT_FALSE(no_folder.ok());

@@ -127,7 +127,7 @@ TEST(Merge, JoinsModelsThatDoNotTouch) {
 TEST(Merge, RefusesModelsThatMayTouch) {
   const Model a = *block(1, 1, 1), b = *block(1, 1, 1, {1, 0, 0}), c = *block(1, 1, 1, {5, 0, 0});
   const std::vector<const Model*> touching{&c, &a, &b};
-  expect_error(merge_disjoint(touching), errors::not_disjoint, "model 1 and model 2");
+  expect_error(merge_disjoint(touching), errors::not_disjoint, "items 1 and 2");
   const Model inch = *block(1, 1, 1, {9, 9, 9}, {.length_unit = 0.0254});
   const std::vector<const Model*> mixed{&a, &inch};
   expect_error(merge_disjoint(mixed), errors::mixed_units, "length units");

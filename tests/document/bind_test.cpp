@@ -86,7 +86,7 @@ TEST(Bind, EachWayToGetItWrong) {
       {{.positional = {1, Value::tuple({1, 2, "3"})}}, "command.type: make: at[2] must be a number, not '3', a text"},
       {{.positional = {1, point(1, NAN, 2)}}, "command.not_finite: make: at[1] must be a finite number, not nan"},
       {{.positional = {1, point(0, 0, 0), point(0, 0, 0)}},
-       "command.range: make: axis must be a direction (x, y, z), not all zero, not (0.0, 0.0, 0.0)"},
+       "command.range: make: axis must be a direction (x, y, z) other than (0, 0, 0), not (0.0, 0.0, 0.0)"},
       {{.positional = {1}, .keywords = {{"patches", 2.5}}},
        "command.type: make: patches must be a whole number, not 2.5, a number"},
       {{.positional = {1}, .keywords = {{"patches", 65}}},

@@ -63,7 +63,9 @@ void compare(const Scene& scene, const Camera& camera, std::mt19937_64& random, 
       continue;
     }
     const auto& points = lines->lines[l].points;
+    const auto& behind = lines->lines[l].behind;
     for (std::uint32_t s = 0; s + 1 < points.size(); ++s) {
+      if (!behind.empty() && behind[s]) continue;  // the triangles alone know nothing of it
       for (int k = 0; k < samples; ++k) {
         const double t = unit(random);
         const LinePiece* at = nullptr;

@@ -372,6 +372,39 @@ TEST(HiddenLines, TorusFromTheTopShowsTwoCircles) {
   EXPECT_NEAR(length, 96 * 2 * 6 * std::sin(std::numbers::pi / 96), 1e-9);
 }
 
+TEST(HiddenLines, TheOutlineOfAHoleEndsAtItsCusps) {
+  // The hole of a fat torus, seen from the side: its near rim ends in two cusps. With n . sight = 0 the outline has
+  // tan v = -cos u cot e, u from the eye's direction and e its height; the cusps are where its picture stands still.
+  constexpr double big = 10, small = 5;
+  const double e = std::atan(std::sqrt(0.5));
+  const auto picture = [&](double u) {
+    const double v = std::atan2(-std::cos(u) * std::cos(e), std::sin(e)) + std::numbers::pi;
+    const double rho = big + small * std::cos(v);
+    return Vec2{rho * std::sin(u), small * std::sin(v) * std::cos(e) - rho * std::cos(u) * std::sin(e)};
+  };
+  double slowest = 1e300;
+  Vec2 cusp;
+  for (double u = 0.8; u < 1.6; u += 1e-4) {
+    const double speed = distance(picture(u), picture(u + 1e-4));
+    if (speed < slowest) slowest = speed, cusp = picture(u);
+  }
+  Scene scene;
+  test::add_torus(scene, {0, 0, 0}, big, small, 96, 48);
+  const Camera camera = standard_camera(StandardView::iso);
+  const Projector projector(camera, {});
+  const Vec3 middle = projector.to_view({0, 0, 0});
+  double highest = -1e300;  // that is seen around the hole
+  for (const LinePiece& p : lines_of(scene, camera).pieces) {
+    if (!p.visible) continue;
+    for (const Vec3 end : {p.a, p.b}) {
+      const Vec3 at = projector.to_view(end) - middle;
+      if (std::abs(at.x) < 7 && std::abs(at.y) < 4 && std::abs(at.x) > 4) highest = std::max(highest, at.y);
+    }
+  }
+  EXPECT_GT(highest, cusp.y - 0.1);
+  EXPECT_LT(highest, cusp.y + 0.1) << "a side of a triangle behind the cusp is seen";
+}
+
 TEST(HiddenLines, TheSameForOneAndThreeThreads) {
   Scene scene;
   test::add_torus(scene, {0, 0, 0}, 3, 1, 60, 30);

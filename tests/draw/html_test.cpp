@@ -85,6 +85,15 @@ TEST(Html, DataOfOneTriangle) {
   EXPECT_NE(page.find("\"regions\":[-1,-1]"), std::string::npos);
 }
 
+TEST(Html, TheWayOfEachRegionIsThere) {
+  Scene scene;
+  test::add_block(scene, {-1, -1, -1}, {1, 1, 1});
+  test::add_block(scene, {-2, -2, -2}, {2, 2, 2});
+  const std::string page = page_of(scene);
+  EXPECT_NE(page.find("\"volume\":8,\"way\":[0,0,3.3"), std::string::npos);
+  EXPECT_NE(page.find("\"volume\":64,\"way\":[0,0,0]"), std::string::npos);
+}
+
 TEST(Html, FilesAndErrors) {
   const std::string path = ::testing::TempDir() + "aresta_page_" + std::to_string(::getpid()) + ".html";
   EXPECT_EQ(write_html({}, {}, path, {}).error().code, errors::draw_empty);

@@ -229,32 +229,6 @@ TEST(Png, RegionColoursBelongToWhatIsBehindTheSide) {
   EXPECT_TRUE(bluish(image_of(scene, options).at(60, 50)));
 }
 
-TEST(Png, ExplodedSharedFaceIsThereTwice) {
-  // Two regions that share the face x = 0, seen along +x with the near region moved away to the side: both copies are
-  // found.
-  Scene scene;
-  test::add_block(scene, {-2, 0, 0}, {0, 1, 1}, red);
-  test::add_block(scene, {0, 0, 0}, {2, 1, 1}, green);
-  // Make the two coinciding faces one: the second block's x- face goes, the first one's x+ face gets both regions.
-  const FaceId shared = scene.faces[1].face;
-  scene.faces[1].regions = {RegionId(1), RegionId(0)};
-  scene.faces.erase(scene.faces.begin() + 6);
-  ASSERT_EQ(scene.faces.size(), 11u);
-  const Scene apart = exploded(scene, 1);
-  ASSERT_EQ(apart.faces.size(), 12u);
-  int copies = 0;
-  for (const FacePatch& f : apart.faces) {
-    if (f.face != shared) continue;
-    // Centres of the regions are at -1 and 1 and move by as much.
-    EXPECT_DOUBLE_EQ(f.points[0].x, f.regions[0].valid() ? 1 : -1);
-    ++copies;
-  }
-  EXPECT_EQ(copies, 2);
-  EXPECT_EQ(exploded(scene, 0).faces.size(), 11u);
-  EXPECT_DOUBLE_EQ(apart.bounds().low.x, -3);
-  EXPECT_DOUBLE_EQ(apart.bounds().high.x, 3);
-}
-
 TEST(Png, TheSameBytesForOneAndTwoThreads) {
   Scene scene;
   test::add_torus(scene, {0, 0, 0}, 3, 1, 40, 20);

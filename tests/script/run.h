@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "document/commands.h"
 #include "script/interpreter.h"
 
 namespace aresta::script {
@@ -11,6 +12,17 @@ namespace aresta::script {
 inline const document::Registry& language() {
   static const document::Registry registry = [] {
     document::Registry r;
+    register_language(r);
+    return r;
+  }();
+  return registry;
+}
+
+/// The language with all commands on models.
+inline const document::Registry& modeller() {
+  static const document::Registry registry = [] {
+    document::Registry r;
+    document::register_modelling(r);
     register_language(r);
     return r;
   }();
@@ -37,6 +49,10 @@ inline Ran run_text(const std::string& text, document::Digits digits = document:
   const Status status = interpreter.run(text, "t.ars");
   if (!status) ran.error = status.error().to_line();
   return ran;
+}
+
+inline Ran run_shapes(const std::string& text) {
+  return run_text(text, document::Digits::shortest, nullptr, modeller());
 }
 
 }  // namespace aresta::script

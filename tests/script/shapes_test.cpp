@@ -3,36 +3,10 @@
 // and scripts that must be refused, with the beginning of the message.
 #include <gtest/gtest.h>
 
-#include "document/commands.h"
 #include "run.h"
 
 namespace aresta::script {
 namespace {
-
-const document::Registry& modeller() {
-  static const document::Registry registry = [] {
-    document::Registry r;
-    document::register_modelling(r);
-    register_language(r);
-    return r;
-  }();
-  return registry;
-}
-
-Ran run_shapes(const std::string& text) {
-  Ran ran;
-  document::Session session;
-  session.registry = &modeller();
-  session.digits = document::Digits::shortest;
-  session.print = [&ran](const std::string& s) -> Status {
-    ran.printed += s;
-    return {};
-  };
-  Interpreter interpreter(session);
-  const Status status = interpreter.run(text, "t.ars");
-  if (!status) ran.error = status.error().to_line();
-  return ran;
-}
 
 struct Row {
   const char* what;
@@ -40,6 +14,12 @@ struct Row {
 };
 
 const Row rows[] = {
+    {"a torus cut obliquely and put together again", R"(
+for normal in [(1, 2, 3), (3, 1, 0.5)]:
+    above, below = cut(torus(6, 1), (0, 0, 0), normal)
+    expect([volume(above), volume(below)], [6 * pi ** 2] * 2, rel=1e-8)
+    expect([volume(x) for x in [union(above, below), above + below]], [12 * pi ** 2] * 2, rel=1e-8)
+)"},
     {"block", R"(
 b = block(1, 2, 3, at=(4, 5, 6))
 expect([count(b, k) for k in ["regions", "shells", "faces", "edges", "vertices", "components"]], [1, 1, 6, 12, 8, 1])
@@ -296,6 +276,15 @@ const struct {
     {"x = difference(group(block(2, 2, 2), block(2, 2, 2, at=(1, 0, 0))), block(1, 1, 1, at=(5, 0, 0)))",
      "t.ars:1:5: boolean.regions_overlap"},
     {"x = bounds(block(1, 1, 1) - block(2, 2, 2))", "t.ars:1:5: model.unknown_entity: bounds: the shape is empty"},
+    {"b = block(1, 1, 1)\nprint(b.volume())", "t.ars:2:9: script.type: a shape has no method 'volume'; try: volume(x)"},
+    {"b = block(1, 1, 1)\nattribute(b, 'color', 'notacolor')",
+     "t.ars:2:1: draw.bad_color: 'notacolor' is not a colour"},
+    {"attribute(block(1, 1, 1), 'color', '#12345')", "t.ars:1:1: draw.bad_color: '#12345' is not a colour"},
+    {"attribute(block(1, 1, 1), 'color', '#-12345')", "t.ars:1:1: draw.bad_color: '#-12345' is not a colour"},
+    {"attribute(block(1, 1, 1), 'color', 3)",
+     "t.ars:1:1: command.type: attribute: the value of \"color\" must be a text, not 3"},
+    {"attribute(block(1, 1, 1), 'name', True)",
+     "t.ars:1:1: command.type: attribute: the value of \"name\" must be a text, not True"},
     {"x = attribute(block(1, 1, 1), 'a', [1])",
      "t.ars:1:5: command.type: attribute: value must be a number, a text, True or False"},
     {"x = grid(block(1, 1, 1), (1000, 1000, 1000), (1, 1, 1))",

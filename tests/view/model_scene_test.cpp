@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "construct/primitives.h"
+#include "draw/errors.h"
 
 namespace aresta {
 namespace {
@@ -22,7 +23,6 @@ TEST(ModelScene, CylinderWithColoursAndNames) {
   model.labels.set_name(region, "rod");
   model.labels.attributes[region]["color"] = std::string("#102030");
   model.labels.attributes[FaceId(std::size_t{1})]["color"] = std::string("#A0b0C0");
-  model.labels.attributes[FaceId(std::size_t{2})]["color"] = std::string("no colour");
   auto scene = make_scene(model);
   ASSERT_TRUE(scene.ok()) << scene.error().to_line();
   ASSERT_EQ(scene->regions.size(), 1u);
@@ -43,6 +43,20 @@ TEST(ModelScene, CylinderWithColoursAndNames) {
   for (const auto& patch : scene->faces) {
     EXPECT_EQ(patch.regions[1], region);
     EXPECT_FALSE(patch.regions[0].valid());
+  }
+}
+
+TEST(ModelScene, AColourThatCannotBeReadIsAnError) {
+  for (const EntityRef entity : {EntityRef(FaceId(std::size_t{2})), EntityRef(EdgeId(std::size_t{1}))}) {
+    for (const AttributeValue& color : {AttributeValue(std::string("no colour")), AttributeValue(3.0)}) {
+      auto model = block(1, 2, 3);
+      ASSERT_TRUE(model.ok());
+      model->labels.attributes[entity]["color"] = color;
+      const auto scene = make_scene(*model);
+      ASSERT_FALSE(scene.ok());
+      EXPECT_EQ(scene.error().code, errors::draw_bad_color);
+      EXPECT_EQ(scene.error().entities, std::vector<EntityRef>{entity});
+    }
   }
 }
 
