@@ -5,11 +5,13 @@
 //   bench_topology [REPETITIONS]     default 7
 //
 // The rounds of the libraries are interleaved, so that whatever else the machine does meets all alike; times are
-// processor time, medians are compared, once with memory fresh from the system, as a user's process has it, and once
-// with memory that the process has used before; the bounds hold for both. In the time of Aresta is everything from the
-// indices on: a copy of the points, finding edges, the radial order, checking it all, shells and two regions. The end
-// is a line for each figure that has a bound; the exit status is 1 when one is passed.
+// processor time, medians are compared, once with memory fresh from the system, each build in a process of its own, and
+// once with memory that the process has used before; the bounds hold for both. In the time of Aresta is everything from
+// the indices on: a copy of the points, finding edges, the radial order, checking it all, shells and two regions. The
+// end is a line for each figure that has a bound; the exit status is 1 when one is passed.
 #include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <climits>
@@ -41,9 +43,7 @@ T value_or_exit(Result<T> result) {
 
 std::unique_ptr<bench::Built> build_with_aresta(const test::TriangleMesh& mesh) {
   auto built = std::make_unique<ArestaMesh>();
-  built->points.resize(mesh.points.size());
-  const auto points = built->points.write_all();
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) points[v] = mesh.points[v];
+  built->points.generate(mesh.points.size(), [&](std::size_t v) { return mesh.points[v]; });
   Incidence in = value_or_exit(incidence_of_triangles(static_cast<std::uint32_t>(mesh.points.size()), mesh.triangles));
   enclose_one_region(in);
   built->complex = value_or_exit(assemble(in));
@@ -67,21 +67,45 @@ struct Library {
   std::vector<double> seconds{};
 };
 
-/// Fills in the seconds of each library and prints them.
-void compare(std::vector<Library>& libraries, const test::TriangleMesh& mesh, int repetitions) {
+double seconds_to_build(const Library& library, const test::TriangleMesh& mesh) {
+  const double before = processor_seconds();
+  const auto built = library.build(mesh);
+  const double seconds = processor_seconds() - before;
   const std::size_t edges = 3 * mesh.triangles.size() / 2;
+  if (built->edge_count() != edges) {
+    std::fprintf(stderr, "bench_topology: %s made %zu edges of %zu\n", library.name.c_str(), built->edge_count(),
+                 edges);
+    std::exit(2);
+  }
+  return seconds;
+}
+
+/// In a process that has built nothing before.
+double seconds_to_build_fresh(const Library& library, const test::TriangleMesh& mesh) {
+  int ends[2];
+  const pid_t child = pipe(ends) == 0 ? fork() : -1;
+  double seconds = 0;
+  if (child == 0) {
+    seconds = seconds_to_build(library, mesh);
+    _exit(write(ends[1], &seconds, sizeof seconds) == sizeof seconds ? 0 : 2);
+  }
+  int status = 0;
+  if (child < 0 || read(ends[0], &seconds, sizeof seconds) != sizeof seconds || waitpid(child, &status, 0) != child ||
+      status != 0) {
+    std::fprintf(stderr, "bench_topology: no figure from the process of %s\n", library.name.c_str());
+    std::exit(2);
+  }
+  close(ends[0]);
+  close(ends[1]);
+  return seconds;
+}
+
+/// Fills in the seconds of each library and prints them.
+void compare(std::vector<Library>& libraries, const test::TriangleMesh& mesh, int repetitions,
+             double (*seconds_of)(const Library&, const test::TriangleMesh&)) {
   for (Library& library : libraries) library.seconds.clear();
   for (int round = 0; round < repetitions; ++round) {
-    for (Library& library : libraries) {
-      const double before = processor_seconds();
-      const auto built = library.build(mesh);
-      library.seconds.push_back(processor_seconds() - before);
-      if (built->edge_count() != edges) {
-        std::fprintf(stderr, "bench_topology: %s made %zu edges of %zu\n", library.name.c_str(), built->edge_count(),
-                     edges);
-        std::exit(2);
-      }
-    }
+    for (Library& library : libraries) library.seconds.push_back(seconds_of(library, mesh));
   }
   const double own = median(libraries.front().seconds);
   for (const Library& library : libraries) {
@@ -121,14 +145,15 @@ int main(int count, char** arguments) {
                                  {"CGAL " + bench::cgal_version() + " Surface_mesh", bench::build_with_cgal},
                                  {"OpenMesh " + bench::openmesh_version() + " TriMesh", bench::build_with_openmesh}};
   std::puts("memory fresh from the system:");
-  compare(libraries, mesh, repetitions);
+  std::fflush(stdout);
+  compare(libraries, mesh, repetitions, seconds_to_build_fresh);
   bound_ratios("fresh", libraries);
   // From here on the process keeps what it frees.
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
   mallopt(M_TRIM_THRESHOLD, INT_MAX);
   for (const Library& library : libraries) library.build(mesh);
   std::puts("memory used before:");
-  compare(libraries, mesh, repetitions);
+  compare(libraries, mesh, repetitions, seconds_to_build);
 
   const auto built = build_with_aresta(mesh);
   Complex& k = static_cast<ArestaMesh&>(*built).complex;

@@ -13,6 +13,8 @@
 #include <memory>
 #include <vector>
 
+#include "base/large_block.h"
+
 namespace aresta {
 
 template <class T, std::size_t page_bits = 10>
@@ -87,14 +89,26 @@ class Pages {
     }
   }
 
-  /// n items instead of those that are there, item i being make(i): in one pass over memory.
+  /// n items instead of those that are there, item i being make(i): in one pass over memory, which comes in large
+  /// blocks. A block is freed with the last of its pages: what a snapshot still has of it holds it all.
   template <class Make>
   void generate(std::size_t n, Make&& make) {
     *this = Pages();
     table_->reserve((n + page_size - 1) >> page_bits);
+    std::shared_ptr<LargeBlock> block;
+    std::size_t left_in_block = 0;
     while (size_ < n) {
       const std::size_t count = std::min(n - size_, page_size);
-      add_page(capacity_ == 0 ? count : page_size);
+      if (left_in_block == 0 && n - size_ >= pages_in_block * page_size) {  // blocks that become full alone
+        block = std::make_shared<LargeBlock>();
+        left_in_block = pages_in_block;
+      }
+      if (left_in_block > 0) {
+        add_page(std::allocate_shared<T[]>(LargeBlockAllocator<T>(block), page_size), page_size);
+        --left_in_block;
+      } else {
+        add_page(capacity_ == 0 ? count : page_size);
+      }
       T* const items = table_->back().get();
       for (std::size_t i = 0; i < count; ++i) items[i] = make(size_ + i);
       size_ += count;
@@ -139,7 +153,8 @@ class Pages {
  private:
   using PagePtr = std::shared_ptr<T[]>;
   using Table = std::vector<PagePtr>;
-  static constexpr std::size_t control_block_bytes = 32;
+  static constexpr std::size_t control_block_bytes = 64;  // no more, whichever the allocator
+  static constexpr std::size_t pages_in_block = LargeBlock::bytes / (page_size * sizeof(T) + control_block_bytes);
   static constexpr std::size_t first_capacity = 8;
 
   bool shares_page(std::size_t p, const Pages& other) const {
@@ -149,10 +164,11 @@ class Pages {
   /// How many items page p has room for.
   std::size_t items_in_page(std::size_t p) const { return p == 0 ? std::min(capacity_, page_size) : page_size; }
 
-  void add_page(std::size_t items, const T& item = T{}) {
-    writable_table().push_back(std::make_shared<T[]>(items, item));
+  void add_page(PagePtr page, std::size_t items) {
+    writable_table().push_back(std::move(page));
     capacity_ += items;
   }
+  void add_page(std::size_t items, const T& item = T{}) { add_page(std::make_shared<T[]>(items, item), items); }
 
   void reserve_one_more() {
     if (capacity_ >= page_size) return add_page(page_size);

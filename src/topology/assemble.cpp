@@ -23,8 +23,16 @@ std::uint32_t coedge_end(const Incidence& in, std::uint32_t c) {
   return in.edges[in.coedges[c] >> 1][~in.coedges[c] & 1u];
 }
 
+/// An entry of an array that may be empty.
+std::uint32_t at(const std::vector<std::uint32_t>& array, std::uint32_t i) {
+  return array.empty() ? none : array[i];
+}
+bool fits(const std::vector<std::uint32_t>& array, std::uint32_t count) {
+  return array.empty() || array.size() == count;
+}
+
 Status check_loops(const Incidence& in) {
-  if (in.loop_begin.size() != in.loop_vertex.size() + 1 || in.loop_begin.back() != in.coedges.size() ||
+  if (!fits(in.loop_vertex, in.loop_count()) || in.loop_begin.back() != in.coedges.size() ||
       in.face_begin.back() != in.loop_count()) {
     return bad("the arrays of loops and faces do not fit together", {});
   }
@@ -40,9 +48,9 @@ Status check_loops(const Incidence& in) {
     if (in.face_begin[f] >= in.face_begin[f + 1]) return bad("a face has no loop", {FaceId(f)});
     for (std::uint32_t l = in.face_begin[f]; l < in.face_begin[f + 1]; ++l) {
       const std::uint32_t begin = in.loop_begin[l], end = in.loop_begin[l + 1];
-      if ((begin == end) != (in.loop_vertex[l] != none))
+      if ((begin == end) != (at(in.loop_vertex, l) != none))
         return bad("a loop is neither coedges nor a vertex", {FaceId(f)});
-      if (begin == end && in.loop_vertex[l] >= in.vertex_count)
+      if (begin == end && at(in.loop_vertex, l) >= in.vertex_count)
         return bad("a loop names a vertex that does not exist", {FaceId(f)});
       for (std::uint32_t c = begin; c < end; ++c) {
         const std::uint32_t next = c + 1 < end ? c + 1 : begin;
@@ -89,9 +97,8 @@ std::uint32_t side_before(const Incidence& in, std::uint32_t face, std::uint32_t
 }
 
 Status check_regions(const Incidence& in, const std::vector<std::uint32_t>& first_use) {
-  if (in.face_use_region.size() != 2 * std::size_t{in.face_count()} || in.edge_region.size() != in.edge_count() ||
-      in.vertex_region.size() != in.vertex_count || in.region_filled.size() != in.region_count ||
-      in.region_count == 0) {
+  if (in.face_use_region.size() != 2 * std::size_t{in.face_count()} || !fits(in.edge_region, in.edge_count()) ||
+      !fits(in.vertex_region, in.vertex_count) || in.region_filled.size() != in.region_count || in.region_count == 0) {
     return bad("the regions do not cover all faces, edges and vertices", {});
   }
   for (std::uint32_t u = 0; u < in.face_use_region.size(); ++u) {
@@ -103,12 +110,14 @@ Status check_regions(const Incidence& in, const std::vector<std::uint32_t>& firs
     if (v != none) vertex_used[v] = true;
   }
   for (std::uint32_t e = 0; e < in.edge_count(); ++e) {
-    if (first_use[e] != none ? in.edge_region[e] != none : in.edge_region[e] >= in.region_count) {
+    const std::uint32_t region = at(in.edge_region, e);
+    if (first_use[e] != none ? region != none : region >= in.region_count) {
       return bad("a wire needs a region, an edge of a face must not have one", {EdgeId(e)});
     }
   }
   for (std::uint32_t v = 0; v < in.vertex_count; ++v) {
-    if (vertex_used[v] ? in.vertex_region[v] != none : in.vertex_region[v] >= in.region_count) {
+    const std::uint32_t region = at(in.vertex_region, v);
+    if (vertex_used[v] ? region != none : region >= in.region_count) {
       return bad("an isolated vertex needs a region, any other must not have one", {VertexId(v)});
     }
   }
@@ -218,10 +227,8 @@ class ShellItems {
     for (std::uint32_t use = 0; use < face_uses(in_); ++use) {
       if (sets_.find(use) == use && is_second(in_.face_use_region[use])) return true;
     }
-    for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
-      if (in_.edge_region[e] != none && is_second(in_.edge_region[e])) return true;
-    }
-    return false;
+    return std::any_of(in_.edge_region.begin(), in_.edge_region.end(),
+                       [&](std::uint32_t region) { return region != none && is_second(region); });
   }
 
   /// A vertex ties the items of one region there.
@@ -234,13 +241,13 @@ class ShellItems {
           visit(coedge_start(in_, c), Tie{in_.face_use_region[use], use});
         }
       }
-      for (std::uint32_t l = 0; l < in_.loop_count(); ++l) {
+      for (std::uint32_t l = 0; l < in_.loop_vertex.size(); ++l) {
         if (in_.loop_vertex[l] == none) continue;
         for (std::uint32_t use = 2 * loop_face[l]; use < 2 * loop_face[l] + 2; ++use) {
           visit(in_.loop_vertex[l], Tie{in_.face_use_region[use], use});
         }
       }
-      for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
+      for (std::uint32_t e = 0; e < in_.edge_region.size(); ++e) {
         if (in_.edge_region[e] == none) continue;
         for (const std::uint32_t v : in_.edges[e]) visit(v, Tie{in_.edge_region[e], edge(in_, e)});
       }
@@ -288,7 +295,7 @@ class Assembler {
 
  private:
   void write_edges() {
-    k_.vertices_.resize(in_.vertex_count);
+    k_.vertices_.generate(in_.vertex_count, [](std::size_t) { return Complex::VertexRecord{}; });
     k_.edges_.generate(in_.edge_count(), [&](std::size_t e) {
       return Complex::EdgeRecord{{in_.edges[e][0], in_.edges[e][1]}, {none, none}, {none, none}, first_use_[e]};
     });
@@ -327,7 +334,7 @@ class Assembler {
     k_.loops_.generate(in_.loop_count(), [&](std::size_t item) -> Complex::LoopRecord {
       const auto loop = static_cast<std::uint32_t>(item);
       while (loop >= in_.face_begin[f + 1]) ++f;
-      const std::uint32_t begin = in_.face_begin[f], end = in_.face_begin[f + 1], vertex = in_.loop_vertex[loop];
+      const std::uint32_t begin = in_.face_begin[f], end = in_.face_begin[f + 1], vertex = at(in_.loop_vertex, loop);
       if (vertex != none) {
         auto& owner = k_.vertices_.edit(vertex).owner;
         k_.point_uses_.push_back({loop, owner});
@@ -387,7 +394,7 @@ class Assembler {
       const std::uint32_t first = shells[s].first_face_use;
       faces[first / 2].prev_in_shell[first % 2] = last_use[s];
     }
-    for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
+    for (std::uint32_t e = 0; e < in_.edge_region.size(); ++e) {
       if (in_.edge_region[e] == none) continue;
       const std::uint32_t shell = shell_of(ShellItems::edge(in_, e), in_.edge_region[e]);
       const auto wire = static_cast<std::uint32_t>(k_.wires_.size());
@@ -403,7 +410,7 @@ class Assembler {
         k_.wires_.edit(first).prev = wire;
       }
     }
-    for (std::uint32_t v = 0; v < in_.vertex_count; ++v) {
+    for (std::uint32_t v = 0; v < in_.vertex_region.size(); ++v) {
       if (in_.vertex_region[v] == none) continue;
       const std::uint32_t shell = shell_of(ShellItems::vertex(in_, v), in_.vertex_region[v]);
       shells[shell].vertex = v;

@@ -12,7 +12,8 @@
 namespace aresta {
 
 /// A complex as flat arrays. Entity i of an array becomes the entity with id i; radial_next and the regions are filled
-/// in by whoever knows the geometry. `none` marks what does not apply.
+/// in by whoever knows the geometry. `none` marks what does not apply; where nothing applies to any, as for most
+/// meshes, the arrays that say so may be empty.
 struct Incidence {
   static constexpr std::uint32_t none = 0xffffffffu;
 
@@ -20,7 +21,7 @@ struct Incidence {
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< start and end vertex
   std::vector<std::uint32_t> coedges;               ///< 2 * edge + reversed, in loop order
   std::vector<std::uint32_t> loop_begin{0};         ///< loop l holds coedges [loop_begin[l], loop_begin[l + 1])
-  std::vector<std::uint32_t> loop_vertex;           ///< for a loop without coedges its vertex, else none
+  std::vector<std::uint32_t> loop_vertex;           ///< for a loop without coedges its vertex, else none; or empty
   std::vector<std::uint32_t> face_begin{0};         ///< face f holds loops [face_begin[f], face_begin[f + 1])
 
   std::vector<std::uint32_t> radial_next;  ///< per coedge: the next one counterclockwise about the edge
@@ -28,11 +29,11 @@ struct Incidence {
   std::uint32_t region_count = 1;              ///< region 0 is the infinite one
   std::vector<bool> region_filled;             ///< per region; [0] is false
   std::vector<std::uint32_t> face_use_region;  ///< per face-use
-  std::vector<std::uint32_t> edge_region;      ///< per edge: for wires, else none
-  std::vector<std::uint32_t> vertex_region;    ///< per vertex: for isolated vertices of no face, else none
+  std::vector<std::uint32_t> edge_region;      ///< per edge: for wires, else none; or empty
+  std::vector<std::uint32_t> vertex_region;    ///< per vertex: for isolated vertices of no face, else none; or empty
 
   std::uint32_t edge_count() const { return static_cast<std::uint32_t>(edges.size()); }
-  std::uint32_t loop_count() const { return static_cast<std::uint32_t>(loop_vertex.size()); }
+  std::uint32_t loop_count() const { return static_cast<std::uint32_t>(loop_begin.size() - 1); }
   std::uint32_t face_count() const { return static_cast<std::uint32_t>(face_begin.size() - 1); }
 
   void add_coedge(std::uint32_t edge, bool reversed) { coedges.push_back(2 * edge + (reversed ? 1u : 0u)); }

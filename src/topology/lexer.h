@@ -6,8 +6,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "base/result.h"
 
 namespace aresta {
 
@@ -48,6 +51,32 @@ std::string shown(const Word& word);
 
 /// "line 12: WANTED is expected, not WORD"
 std::string not_as_expected(std::string_view wanted, const Word& found);
+
+/// What readers have in common: they read words until the first error, which stays; after it all reads give nothing.
+class WordReader {
+ protected:
+  WordReader(std::string_view text, const ErrorCode& code) : lexer_(text), code_(code) {}
+
+  bool failed() const { return error_.has_value(); }
+  void fail(std::string_view wanted) {
+    if (!failed()) error_ = Error{code_, not_as_expected(wanted, lexer_.word())};
+  }
+  bool is(std::string_view text) const { return !failed() && lexer_.word().is(text); }
+  bool accept(std::string_view text) {
+    if (!is(text)) return false;
+    lexer_.take();
+    return true;
+  }
+  void expect(std::string_view text) {
+    if (!accept(text)) fail("'" + std::string(text) + "'");
+  }
+
+  Lexer lexer_;
+  std::optional<Error> error_;
+
+ private:
+  ErrorCode code_;
+};
 
 /// A number of decimal digits alone; the most that there is when it is too large, and nothing else is false.
 bool read_number(std::string_view digits, std::uint32_t most, std::uint32_t* number);

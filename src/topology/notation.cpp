@@ -70,10 +70,9 @@ struct Lines {
   std::vector<RegionLine> regions;
 };
 
-/// Reads lines until the first error, which stays.
-class Reader {
+class Reader : WordReader {
  public:
-  explicit Reader(std::string_view text) : lexer_(text) {}
+  explicit Reader(std::string_view text) : WordReader(text, errors::bad_notation) {}
 
   Result<Lines> run() {
     while (!failed() && !lexer_.word().text.empty()) {
@@ -95,19 +94,6 @@ class Reader {
   }
 
  private:
-  bool failed() const { return error_.has_value(); }
-  void fail(std::string_view wanted) {
-    if (!failed()) error_ = Error{errors::bad_notation, not_as_expected(wanted, lexer_.word())};
-  }
-  bool is(std::string_view text) const { return !failed() && lexer_.word().is(text); }
-  bool accept(std::string_view text) {
-    if (!is(text)) return false;
-    lexer_.take();
-    return true;
-  }
-  void expect(std::string_view text) {
-    if (!accept(text)) fail("'" + std::string(text) + "'");
-  }
   bool at_end() const { return failed() || lexer_.word().ends_line(); }
 
   Word name(std::string_view wanted) {
@@ -217,9 +203,7 @@ class Reader {
     lines_.regions.push_back(std::move(line));
   }
 
-  Lexer lexer_;
   Lines lines_;
-  std::optional<Error> error_;
 };
 
 Error wrong(std::uint32_t line, const std::string& message) {

@@ -186,7 +186,7 @@ Result<Applied> g_e(Complex& k, EdgeId kept, EdgeId gone, const EdgeGluing& glui
 /// Two faces become one: `gone` is laid on `kept`, with the sides that look at each other (both in one region). For
 /// each loop a pair of coedges that come to lie on each other; loops that are vertices are paired in order. When both
 /// sides have the same number the faces' orientations are opposite and the loops run against each other. Errors:
-/// senses_disagree, would_pinch when the gluing encloses anything else.
+/// senses_disagree, would_pinch when the gluing encloses anything else, cuts_wire when it cuts off what is outside.
 Result<Applied> g_f(Complex& k, FaceUse kept, FaceUse gone, std::span<const std::pair<CoedgeId, CoedgeId>> pairs);
 
 // --- composed

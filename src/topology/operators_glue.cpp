@@ -297,6 +297,7 @@ Result<Applied> g_f(Complex& k, FaceUse kept, FaceUse gone, std::span<const std:
   if (!is_between()) {
     return pinch("the space between " + name_of(f) + " and " + name_of(g) + " is not theirs alone", {f, g});
   }
+  ARESTA_CHECK(require_regions_meet(k, k.region(kept)));
   for (const auto& loop : loops) {
     for (const Pair& p : loop) ARESTA_CHECK(require_fans_fit(k, {k.start(p.c)}));
   }

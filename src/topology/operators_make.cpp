@@ -112,6 +112,14 @@ Result<std::vector<LoopPlacement>> place(const Complex& k, const FaceSpec& spec,
   return loops;
 }
 
+/// Is it a wire or an isolated vertex that the face is made of, and so no longer is?
+bool is_taken(const FaceSpec& spec, Item item) {
+  return std::any_of(spec.circuits.begin(), spec.circuits.end(), [&](const Circuit& circuit) {
+    return item == Item(circuit.vertex) || std::any_of(circuit.uses.begin(), circuit.uses.end(),
+                                                       [&](const EdgeUseSpec& use) { return item == Item(use.edge); });
+  });
+}
+
 Status check_others(const Complex& k, const FaceSpec& spec, RegionId r) {
   for (const Item item : spec.division.others) {
     const bool live = item.kind == Item::Kind::side ? k.is_live(item.side().face())
@@ -122,6 +130,7 @@ Status check_others(const Complex& k, const FaceSpec& spec, RegionId r) {
     if (region_of(k, item) != r) {
       return Error{errors::not_in_region, "what should go into the new region does not lie in " + name_of(r), {r}};
     }
+    if (is_taken(spec, item)) return wrong("what should go into the new region is part of the face", {});
   }
   return {};
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topology/parse_dump.h"
 
-#include <optional>
 #include <string>
 #include <tuple>
 
@@ -16,10 +15,9 @@ namespace {
 // Ids are shorter than this, so that twice an id still is a row (records.h refuses most of them anyway).
 constexpr std::uint32_t largest_id = (1u << 30) - 1;
 
-/// Reads words until the first error, which stays; after it all reads give nothing.
-class Reader {
+class Reader : WordReader {
  public:
-  explicit Reader(std::string_view text) : lexer_(text) {}
+  explicit Reader(std::string_view text) : WordReader(text, errors::bad_dump) {}
 
   Result<ComplexRecords> run() {
     read_head();
@@ -33,19 +31,6 @@ class Reader {
   }
 
  private:
-  bool failed() const { return error_.has_value(); }
-  void fail(std::string_view wanted) {
-    if (!failed()) error_ = Error{errors::bad_dump, not_as_expected(wanted, lexer_.word())};
-  }
-  bool is(std::string_view text) const { return !failed() && lexer_.word().is(text); }
-  bool accept(std::string_view text) {
-    if (!is(text)) return false;
-    lexer_.take();
-    return true;
-  }
-  void expect(std::string_view text) {
-    if (!accept(text)) fail("'" + std::string(text) + "'");
-  }
   void end_line() {
     if (!accept("\n")) fail("the end of the line");
   }
@@ -232,9 +217,7 @@ class Reader {
     end_line();
   }
 
-  Lexer lexer_;
   ComplexRecords records_;
-  std::optional<Error> error_;
 };
 
 /// What is said twice in a dump, and its order, is right when the dump of the result has the same words.

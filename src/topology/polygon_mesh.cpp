@@ -81,7 +81,6 @@ static Result<Incidence> incidence_of(std::uint32_t vertex_count, std::span<cons
   in.edges = std::move(found.edges);
   in.coedges = std::move(found.of_corner);
   in.loop_begin = std::move(begin);
-  in.loop_vertex.assign(in.loop_begin.size() - 1, none);
   in.face_begin.resize(in.loop_begin.size());
   for (std::uint32_t f = 0; f < in.face_begin.size(); ++f) in.face_begin[f] = f;
   in.radial_next.resize(corners.size());
@@ -126,7 +125,7 @@ void enclose_one_region(Incidence& in) {
   in.region_filled = {false, true};
   in.face_use_region.resize(2 * std::size_t{in.face_count()});
   for (std::size_t u = 0; u < in.face_use_region.size(); ++u) in.face_use_region[u] = u % 2;
-  in.edge_region.assign(in.edge_count(), none);
+  in.edge_region.clear();
   in.vertex_region.assign(in.vertex_count, Complex::infinite_region().value);
   for (const auto& e : in.edges) in.vertex_region[e[0]] = in.vertex_region[e[1]] = none;
 }

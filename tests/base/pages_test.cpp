@@ -52,6 +52,25 @@ TEST(Pages, GeneratesItemsInOrder) {
   }
 }
 
+/// Several large blocks and a rest, of which single pages are copied, kept and given up in any order.
+TEST(Pages, PagesInLargeBlocksAreCopiedOnWriteAsAnyOther) {
+  constexpr std::size_t n = 300001;
+  Numbers pages;
+  pages.generate(n, [](std::size_t i) { return static_cast<int>(i); });
+  EXPECT_GE(pages.allocated_bytes(), n * sizeof(int));
+  auto snapshot = std::make_unique<Numbers>(pages);
+  for (std::size_t i = 0; i < n; i += 1000) pages.edit(i) = -1;
+  EXPECT_EQ(pages.pages_not_shared_with(*snapshot), 301u);
+  for (std::size_t i = 0; i < n; ++i) {
+    ASSERT_EQ((*snapshot)[i], static_cast<int>(i));
+    ASSERT_EQ(pages[i], i % 1000 == 0 ? -1 : static_cast<int>(i));
+  }
+  snapshot.reset();
+  pages.resize(5);
+  pages.push_back(6);
+  EXPECT_EQ(items(pages), (std::vector<int>{-1, 1, 2, 3, 4, 6}));
+}
+
 TEST(Pages, WritingAllLeavesASnapshotAlone) {
   Numbers pages;
   pages.resize(10, 3);

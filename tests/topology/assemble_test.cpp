@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "topology/dump.h"
+
 namespace aresta {
 namespace {
 
@@ -75,6 +77,25 @@ TEST(Assemble, CubeHasTwoShellsAndEveryTraversalAgrees) {
     for (const ShellId s : k.shells(r)) uses += k.face_uses(s).count();
     EXPECT_EQ(uses, 6u);
   }
+}
+
+TEST(Assemble, ArraysOfWhatDoesNotOccurMayBeEmpty) {
+  Incidence in = cube();
+  const auto full = assemble(in);
+  in.loop_vertex.clear();
+  in.edge_region.clear();
+  in.vertex_region.clear();
+  const auto k = assemble(in);
+  ASSERT_TRUE(k.ok()) << k.error().to_line();
+  EXPECT_EQ(dump(*k), dump(*full));
+  in.edges.push_back({0, 7});  // a wire without a region
+  EXPECT_FALSE(assemble(in).ok());
+  in.edges.pop_back();
+  ++in.vertex_count;  // an isolated vertex without one
+  EXPECT_FALSE(assemble(in).ok());
+  --in.vertex_count;
+  in.loop_vertex.assign(2, none);
+  EXPECT_FALSE(assemble(in).ok());
 }
 
 TEST(Assemble, SideComponentsOfACubeAreInsideAndOutside) {

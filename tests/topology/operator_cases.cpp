@@ -123,7 +123,9 @@ constexpr OperatorText texts[] = {
      "|#|\n|#|  ->  |#|",
      "the sides look into one region (`not_in_region`); all loops are paired, with equal numbers of edges "
      "(`wrong_place`); orientations fit (`senses_disagree`); nothing but the space between them is enclosed "
-     "(`would_pinch`); faces do not pass through each other (`no_space`)",
+     "(`would_pinch`), and nothing that is outside of it is cut off (`cuts_wire`); faces do not pass through each "
+     "other "
+     "(`no_space`)",
      "the kept face with its loops, edges and vertices stays"},
     {"ESPLIT", "esplit(k, e)", "A vertex in the middle of an edge.", ".-----.  ->  .--.--.", "the edge is live",
      "the old edge stays with its start; the new edge runs on in the same direction"},

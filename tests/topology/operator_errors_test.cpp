@@ -152,6 +152,17 @@ TEST(OperatorErrors, WrongPlace) {
     spec.circuits.push_back({{}, VertexId(0)});
     return m_f(k, spec);
   });
+  // What the face is made of cannot also go into what it closes off.
+  expect("point 0", [](Complex& k) {
+    FaceSpec spec = sphere(VertexId(0));
+    spec.division.others = {Item(VertexId(0))};
+    return m_f(k, spec);
+  });
+  expect("wire 0 0", [](Complex& k) {
+    FaceSpec spec = face({{EdgeId(0), false, {}}});
+    spec.division.others = {Item(EdgeId(0))};
+    return m_f(k, spec);
+  });
   // Nothing is closed off that the point could be inside of.
   expect("wire 0 0\npoint 1", [](Complex& k) {
     FaceSpec spec = face({{EdgeId(0), false, {}}});
@@ -191,6 +202,15 @@ TEST(OperatorErrors, CutsWire) {
     spec.division.others = {Item(EdgeId(0))};
     return m_f(k, spec);
   });
+}
+
+/// A wire from the inside of one face that looks into the space around both: nothing of that space is left there.
+TEST(OperatorErrors, GluingFacesCutsNoWire) {
+  expect_refused("f: 0.0 0.1\ng: 0.0- 0 1\nh: 0.1- 0 2\nregion inside filled: -f -g -h\nwire 1 3 0", errors::cuts_wire,
+                 [](Complex& k) {
+                   const std::pair<CoedgeId, CoedgeId> pair(CoedgeId(3), CoedgeId(7));
+                   return g_f(k, {FaceId(1), 0}, {FaceId(2), 0}, std::span(&pair, 1));
+                 });
 }
 
 TEST(OperatorErrors, NoSpace) {
