@@ -22,8 +22,15 @@ struct RegionBox {
 /// Regions with one centre, the largest first.
 struct Nest {
   Vec3 centre;
-  double top;  ///< of what was moved up so far, above the centre
+  double top;                                   ///< of what was moved up so far, above the centre
+  std::vector<std::pair<Box3, double>> lifted;  ///< from where, by how much
 };
+
+/// Whether what goes up from `from` would run into what is at `there`.
+bool is_above(const Box3& there, const Box3& from) {
+  return there.low.x < from.high.x && from.low.x < there.high.x && there.low.y < from.high.y &&
+         from.low.y < there.high.y && there.low.z >= from.centre().z;
+}
 
 std::vector<Vec3> moved(std::vector<Vec3> points, Vec3 by) {
   for (Vec3& p : points) p += by;
@@ -56,10 +63,21 @@ std::map<RegionId, Vec3> ways_apart(const Scene& scene) {
     while (nest != nests.end() && nest->first <= own.x + near && distance(nest->second.centre, own) > near) ++nest;
     const double room = (0.5 + gap) * (box.high.z - box.low.z);
     if (nest == nests.end() || nest->first > own.x + near) {
-      nests.emplace(own.x, Nest{own, room});
+      nests.emplace(own.x, Nest{own, room, {}});
     } else {
-      ways[region].z += nest->second.top + room;
+      const double lift = nest->second.top + room;
+      ways[region].z += lift;
+      nest->second.lifted.emplace_back(box, lift);
       nest->second.top += 2 * room;
+    }
+  }
+  for (const auto& [x, nest] : nests) {
+    for (const auto& [region, box] : by_size) {
+      double most = 0;
+      for (const auto& [from, lift] : nest.lifted) {
+        if (is_above(box, from)) most = std::max(most, lift);
+      }
+      ways[region].z += most;
     }
   }
   return ways;

@@ -10,7 +10,8 @@ namespace aresta::draw {
 
 /// The way that each region goes at factor 1: from the scene's centre to the region's (middles of boxes), so that it
 /// ends at twice its distance. Regions with one centre would stay in one another: of these the largest goes that way,
-/// and the others go up (z) besides, in order of size, each clear of the one before it.
+/// and the others go up (z) besides, in order of size, each clear of the one before it; what is above them goes up as
+/// far.
 std::map<RegionId, Vec3> ways_apart(const Scene& scene);
 
 /// The scene with each region moved by `factor` times its way. A face between two regions, and its edges, are there

@@ -57,6 +57,19 @@ TEST(Explode, NestedRegionsComeOutInOrderOfSize) {
   EXPECT_NEAR(box.low.z, 10.2, 1e-12);
 }
 
+TEST(Explode, WhatIsAboveANestGoesUpAsFar) {
+  // A plate with a pin through it: the part of the pin that is in the plate goes up, and the part above with it.
+  Scene scene;
+  test::add_block(scene, {-5, -5, -1}, {5, 5, 1});
+  const RegionId within = test::add_block(scene, {-1, -1, -1}, {1, 1, 1});
+  const RegionId above = test::add_block(scene, {-1, -1, 1}, {1, 1, 3});
+  const RegionId below = test::add_block(scene, {-1, -1, -3}, {1, 1, -1});
+  const auto ways = ways_apart(scene);
+  EXPECT_NEAR(ways.at(within).z, 2.2, 1e-12);
+  EXPECT_NEAR(ways.at(above).z, 2 + 2.2, 1e-12);
+  EXPECT_NEAR(ways.at(below).z, -2, 1e-12);
+}
+
 TEST(Explode, CentresAsGoodAsOneAreOne) {
   // Off by a hundredth of its size the inner block is still inside after any move between centres.
   Scene scene;
