@@ -79,18 +79,22 @@ Result<Corner> corner_of(const Call& call, std::string_view name) {
   return corner;
 }
 
+/// Set apart by blanks.
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; (at = text.find_first_not_of(' ', at)) != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    words.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return words;
+}
+
 /// "e0 -e1 e2@c7 | v4": circuits of edges, "-" against the edge, "@c7" behind coedge 7; or a vertex.
 Result<std::vector<Circuit>> circuits_of(const Call& call) {
   const std::string expected = "circuits of edges as in \"e0 -e1 e2@c7 | v4\"";
   std::vector<Circuit> circuits(1);
-  std::string_view rest = call.string("circuits");
-  while (!rest.empty()) {
-    if (rest.front() == ' ') {
-      rest.remove_prefix(1);
-      continue;
-    }
-    std::string_view word = rest.substr(0, std::min(rest.find(' '), rest.size()));
-    rest.remove_prefix(word.size());
+  for (std::string_view word : words_of(call.string("circuits"))) {
     Circuit& circuit = circuits.back();
     if (word == "|") {
       circuits.emplace_back();
@@ -121,14 +125,7 @@ Result<std::vector<Circuit>> circuits_of(const Call& call) {
 /// "-f3 e5 v7": sides of faces, wires and isolated vertices.
 Result<std::vector<Item>> items_of(const Call& call, std::string_view name) {
   std::vector<Item> items;
-  std::string_view rest = call.string(name);
-  while (!rest.empty()) {
-    if (rest.front() == ' ') {
-      rest.remove_prefix(1);
-      continue;
-    }
-    std::string_view word = rest.substr(0, std::min(rest.find(' '), rest.size()));
-    rest.remove_prefix(word.size());
+  for (std::string_view word : words_of(call.string(name))) {
     const bool back = word.front() == '-';
     if (word.front() == '-' || word.front() == '+') word.remove_prefix(1);
     FaceId f;
