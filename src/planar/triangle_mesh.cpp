@@ -331,23 +331,18 @@ class Combining {
                  {{p.x, p.y, p.z}}};
   }
 
-  /// 1 when the ray from the origin crosses the triangle, 0 when it does not, -1 when that is too close to call.
+  /// 1 when the ray from the origin crosses the triangle, 0 when it does not, -1 when that is too close to call: when
+  /// it passes an edge within the rounding of the products that tell. The origin is not on the triangle.
   int crosses(Vec3 a, Vec3 b, Vec3 c, Vec3 direction) const {
-    const double scale = box_.diagonal(), margin = tolerance_ * scale;
+    const double size = box_.diagonal(), margin = 1e-13 * size * size;
     const double u = dot(direction, cross(a, b)), v = dot(direction, cross(b, c)), w = dot(direction, cross(c, a));
-    const bool positive = u > margin && v > margin && w > margin, negative = u < -margin && v < -margin && w < -margin;
-    if (!positive && !negative) {
-      const bool clearly_not = (u > margin || v > margin || w > margin) && (u < -margin || v < -margin || w < -margin);
-      if (clearly_not) return 0;
-      // Edge on, or past an edge: of no concern unless it lies ahead and near the ray.
-      const double ahead = std::max({dot(a, direction), dot(b, direction), dot(c, direction)});
-      if (ahead < -tolerance_) return 0;
-      return -1;
-    }
-    const double height = dot(a, cross(b - a, c - a)), slope = dot(direction, cross(b - a, c - a));
-    const double t = height / slope;
-    if (std::abs(t) <= tolerance_) return -1;
-    return t > 0 ? 1 : 0;
+    const bool left = u > margin || v > margin || w > margin, right = u < -margin || v < -margin || w < -margin;
+    if (left && right) return 0;
+    const double ahead = std::max({dot(a, direction), dot(b, direction), dot(c, direction)});
+    if (ahead < 0) return 0;
+    if (std::min({std::abs(u), std::abs(v), std::abs(w)}) <= margin) return -1;
+    const Vec3 normal = cross(b - a, c - a);
+    return (dot(a, normal) > 0) == (dot(direction, normal) > 0) ? 1 : 0;
   }
 
   // ---- the result ----
@@ -395,6 +390,7 @@ class Combining {
   }
 
   void add(Triangle t, bool flipped, Index source) {
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;  // shrunk to an edge by identity
     if (flipped) std::swap(t[1], t[2]);
     result_.mesh.triangles.push_back(t);
     result_.source.push_back(source);
@@ -455,6 +451,12 @@ class Combining {
       if (shape.loop_vertex[l] != none) local(shape.loop_vertex[l]);
     }
     const PlaneOutput output = triangulate_plane(input);
+    if (output.bad_point && is_sliver(f)) {  // any triangles will do: all are within the tolerance
+      for (Index c = first + 1; c + 1 < last; ++c)
+        add({point_of_vertex_[start(first)], point_of_vertex_[start(c)], point_of_vertex_[start(c + 1)]}, flipped,
+            source);
+      return {};
+    }
     if (output.bad_point) {
       const Vec3 p = pieces_.points[vertices[*output.bad_point]];
       return Error{errors::mesh_inconsistent,
@@ -467,6 +469,23 @@ class Combining {
       add({point_of_vertex_[vertices[i]], point_of_vertex_[vertices[j]], point_of_vertex_[vertices[k]]}, flipped,
           source);
     return {};
+  }
+
+  /// One loop about no more than a few tolerances times its length?
+  bool is_sliver(Index f) const {
+    const Incidence& shape = pieces_.shape;
+    if (shape.face_begin[f + 1] - shape.face_begin[f] != 1) return false;
+    const auto at = [&](Index c, Index end) {
+      return pieces_.points[shape.edges[shape.coedges[c] / 2][(shape.coedges[c] + end) % 2]];
+    };
+    const Vec3 o = at(first_coedge(f), 0);
+    Vec3 area;
+    double perimeter = 0;
+    for (Index c = first_coedge(f); c < first_coedge(f + 1); ++c) {
+      area += cross(at(c, 0) - o, at(c, 1) - o);
+      perimeter += distance(at(c, 0), at(c, 1));
+    }
+    return norm(area) <= 16 * tolerance_ * perimeter;
   }
 
   Result<CombinedMesh> finish() {
