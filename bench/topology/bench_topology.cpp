@@ -2,7 +2,7 @@
 // The complex against the meshes of other libraries: time to build a sphere of 1,003,520 triangles from the indices,
 // storage per edge, and the price of a snapshot and of a change after it.
 //
-//   bench_topology [REPETITIONS]     default 7
+//   bench_topology [REPETITIONS]     default 15
 //
 // The rounds of the libraries are interleaved, so that whatever else the machine does meets all alike; times are
 // processor time, medians are compared, once with memory fresh from the system, each build in a process of its own, and
@@ -137,7 +137,7 @@ double bytes_per_edge(const Complex& k) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  const int repetitions = count > 1 ? std::max(1, std::atoi(arguments[1])) : 7;
+  const int repetitions = count > 1 ? std::max(1, std::atoi(arguments[1])) : 15;
   const auto mesh = test::sphere_of_triangles(224);
   std::printf("%zu triangles, %zu vertices; %d repetitions\n", mesh.triangles.size(), mesh.points.size(), repetitions);
 

@@ -13,7 +13,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/large_block.h"
+#include "base/large_pages.h"
 
 namespace aresta {
 

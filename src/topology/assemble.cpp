@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/large_pages.h"
 #include "base/union_find.h"
 
 namespace aresta {
@@ -143,7 +144,7 @@ std::vector<std::uint32_t> loop_of_coedge(const Incidence& in) {
 }
 
 static std::vector<std::uint32_t> face_of_coedge(const Incidence& in) {
-  std::vector<std::uint32_t> face(in.coedges.size());
+  auto face = vector_in_large_pages(in.coedges.size(), none);
   for (std::uint32_t f = 0; f < in.face_count(); ++f) {
     const std::uint32_t end = in.loop_begin[in.face_begin[f + 1]];
     for (std::uint32_t c = in.loop_begin[in.face_begin[f]]; c < end; ++c) face[c] = f;
@@ -165,7 +166,7 @@ std::vector<std::uint32_t> side_components(const Incidence& in) {
 
 /// The smallest coedge of each edge; none for a wire.
 static std::vector<std::uint32_t> first_use_of_edge(const Incidence& in) {
-  std::vector<std::uint32_t> first(in.edge_count(), none);
+  auto first = vector_in_large_pages(in.edge_count(), none);
   for (auto c = static_cast<std::uint32_t>(in.coedges.size()); c-- > 0;) first[in.coedges[c] >> 1] = c;
   return first;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/large_pages.h"
+
 namespace aresta {
 
 namespace {
@@ -27,8 +29,9 @@ class EdgeTable {
       item = slots;
       slots += pairs <= short_table ? pairs : 2 * pairs;
     }
-    slots_.resize(slots, none);
+    slots_ = vector_in_large_pages(slots, none);
     edges_.reserve(corners.size() / 2 + 1);
+    prefer_large_pages(edges_);
   }
 
   std::uint32_t number(std::uint32_t a, std::uint32_t b) {
@@ -59,7 +62,7 @@ PolygonEdges edges_of_polygons(std::uint32_t vertex_count, std::span<const std::
                                std::span<const std::uint32_t> begin) {
   EdgeTable table(vertex_count, corners, begin);
   PolygonEdges result;
-  result.of_corner.resize(corners.size());
+  result.of_corner = vector_in_large_pages(corners.size(), none);
   for (std::size_t p = 0; p + 1 < begin.size(); ++p) {
     const std::uint32_t first = begin[p], last = begin[p + 1];
     for (std::uint32_t c = first; c < last; ++c) {
@@ -81,10 +84,10 @@ static Result<Incidence> incidence_of(std::uint32_t vertex_count, std::span<cons
   in.edges = std::move(found.edges);
   in.coedges = std::move(found.of_corner);
   in.loop_begin = std::move(begin);
-  in.face_begin.resize(in.loop_begin.size());
+  in.face_begin = vector_in_large_pages(in.loop_begin.size(), 0u);
   for (std::uint32_t f = 0; f < in.face_begin.size(); ++f) in.face_begin[f] = f;
-  in.radial_next.resize(corners.size());
-  std::vector<std::uint32_t> last_use(in.edge_count(), none);
+  in.radial_next = vector_in_large_pages(corners.size(), none);
+  auto last_use = vector_in_large_pages(in.edge_count(), none);
   for (std::uint32_t c = 0; c < in.coedges.size(); ++c) {
     const std::uint32_t e = in.coedges[c];
     in.coedges[c] = 2 * e + (corners[c] == in.edges[e][0] ? 0u : 1u);
@@ -113,7 +116,7 @@ Result<Incidence> incidence_of_polygons(std::uint32_t vertex_count, std::span<co
 
 Result<Incidence> incidence_of_triangles(std::uint32_t vertex_count,
                                          std::span<const std::array<std::uint32_t, 3>> triangles) {
-  std::vector<std::uint32_t> begin(triangles.size() + 1);
+  auto begin = vector_in_large_pages(triangles.size() + 1, 0u);
   for (std::uint32_t t = 0; t < begin.size(); ++t) begin[t] = 3 * t;
   return incidence_of(vertex_count,
                       std::span(triangles.empty() ? nullptr : triangles.front().data(), 3 * triangles.size()),
@@ -123,7 +126,7 @@ Result<Incidence> incidence_of_triangles(std::uint32_t vertex_count,
 void enclose_one_region(Incidence& in) {
   in.region_count = 2;
   in.region_filled = {false, true};
-  in.face_use_region.resize(2 * std::size_t{in.face_count()});
+  in.face_use_region = vector_in_large_pages(2 * std::size_t{in.face_count()}, none);
   for (std::size_t u = 0; u < in.face_use_region.size(); ++u) in.face_use_region[u] = u % 2;
   in.edge_region.clear();
   in.vertex_region.assign(in.vertex_count, Complex::infinite_region().value);

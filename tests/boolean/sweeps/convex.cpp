@@ -27,24 +27,34 @@ Point area_vector(const std::vector<Point>& loop) {
   return sum;
 }
 
+/// Nearer to the plane than this is on it: far below what the sweeps tell apart.
+constexpr Real on_plane = 1e-12L;
+
 /// What lies behind a plane; the cut gets a face of its own.
 Convex clip(const Convex& solid, Point origin, Point normal) {
+  const Real length = std::sqrt(dot(normal, normal));
+  normal = {normal.x / length, normal.y / length, normal.z / length};
   Convex result;
-  std::vector<Point> cut;  // ends of the cut, two for each face that is cut
+  std::vector<Point> cut;
+  bool cuts = false;
   for (const auto& face : solid.faces) {
     std::vector<Point> kept;
     for (std::size_t i = 0; i < face.size(); ++i) {
       const Point a = face[i], b = face[(i + 1) % face.size()];
       const Real at_a = dot(a - origin, normal), at_b = dot(b - origin, normal);
-      if (at_a <= 0) kept.push_back(a);
-      if ((at_a <= 0) == (at_b <= 0)) continue;
+      if (at_a <= on_plane) kept.push_back(a);
+      if (std::abs(at_a) <= on_plane) cut.push_back(a);
+      cuts = cuts || at_a > on_plane;
+      if (std::min(at_a, at_b) >= -on_plane || std::max(at_a, at_b) <= on_plane) continue;
       const Real t = at_a / (at_a - at_b);
       const Point p{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
       kept.push_back(p);
       cut.push_back(p);
     }
-    if (kept.size() >= 3) result.faces.push_back(std::move(kept));
+    const Point n = area_vector(kept.empty() ? face : kept);
+    if (kept.size() >= 3 && dot(n, n) > 0) result.faces.push_back(std::move(kept));
   }
+  if (!cuts) return solid;
   if (cut.size() < 3) return result;
   // The cut's points in order about its middle.
   Point middle;

@@ -2,15 +2,35 @@
 // Blocks of memory of the size of the system's large pages, for arrays that are written in bulk: a block costs one
 // fault where the same bytes one by one cost hundreds, which is what new memory costs most.
 //
-// What is allocated in a block owns a share of it: the block is freed with the last of them.
+// What is allocated in a block owns a share of it: the block is freed with the last of them. A vector of many items can
+// lie in large pages by itself.
 #pragma once
 
 #include <cassert>
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace aresta {
+
+/// A wish: where the system has no large pages, or none fits in there, it stays with small ones.
+void prefer_large_pages(const void* memory, std::size_t bytes);
+
+/// The room that is reserved, before anything is written to it.
+template <class T>
+void prefer_large_pages(const std::vector<T>& room) {
+  prefer_large_pages(room.data(), room.capacity() * sizeof(T));
+}
+
+template <class T>
+std::vector<T> vector_in_large_pages(std::size_t size, const T& item) {
+  std::vector<T> result;
+  result.reserve(size);
+  prefer_large_pages(result);
+  result.resize(size, item);
+  return result;
+}
 
 class LargeBlock {
  public:
