@@ -38,7 +38,7 @@ style   clang-format-14                   the form of the code
 style   clang-tidy-16                     names and common mistakes (14 fails on the ranges of libstdc++ 12)
 style   python3                           scripts/check-layers
 bench   libbenchmark-dev                  micro-benchmarks (-DARESTA_BENCH=ON)
-bench   libcgal-dev                       Surface_mesh, a peer of the complex: GPL, in bench_topology alone
+bench   libcgal-dev                       Surface_mesh, Nef polyhedra, corefinement: peers, GPL, in bench/ alone
 bench   libopenmesh-dev                   the same, BSD-3-Clause
 clang   clang-16                          the second compiler (preset clang-16)
 clang   libclang-rt-16-dev                sanitizers and libFuzzer for it (preset fuzz)
