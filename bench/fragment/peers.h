@@ -7,6 +7,7 @@
 
 #include "fragment/answer.h"
 #include "fragment/blocks.h"
+#include "fragment/chains.h"
 
 namespace aresta::bench {
 
@@ -21,5 +22,20 @@ std::string occt_version();
 /// Exact_predicates_exact_constructions_kernel, which was faster here than Cartesian<Gmpq> and Homogeneous<Gmpz>.
 Answer cells_with_nef(const std::vector<Block>& blocks);
 std::string cgal_version();
+
+// Chains of set operations, each step with the operation that the library has for several operands at once.
+
+/// boolean(), regularised, all solids of a step in one group.
+Answer chain_with_aresta(const Chain& chain);
+/// BRepAlgoAPI_Cut and _Fuse.
+Answer chain_with_occt(const Chain& chain);
+/// The solids of a step as one Nef polyhedron.
+Answer chain_with_nef(const Chain& chain);
+/// Triangles, the solids of a step as one mesh: corefine_and_compute_difference and _union with
+/// Exact_predicates_inexact_constructions_kernel.
+Answer chain_with_corefinement(const Chain& chain);
+/// Triangles, in WebAssembly under Node; warm.
+Answer chain_with_manifold(const Chain& chain);
+std::string manifold_version();
 
 }  // namespace aresta::bench

@@ -12,13 +12,17 @@ namespace aresta::bench {
 
 class Table {
  public:
-  /// Begins a problem. `volume` is the true one of all its solids, from elsewhere than any library.
+  /// Begins a problem. `volume` is the true one of all its solids, from elsewhere than any library; 0: ours is the one
+  /// that the others are held against.
   void begin(std::string problem, double volume);
 
-  /// Runs and prints one library; ours first. Cells or volumes other than ours, or no answer, are lines DIFFERS.
-  void run(const std::string& library, const std::function<Answer()>& work);
+  /// Runs and prints one library; ours first. Cells or volumes that are not as expected are a line DIFFERS, no answer
+  /// is a line NONE. No answer of ours is a failure; that of a peer is one where a ratio to it is asked for.
+  /// `relative`: how far volumes may be apart.
+  void run(const std::string& library, const std::function<Answer()>& work, double relative = 1e-9);
 
-  /// The current problem's figures; the library is named as in `run`. Lines `ok` or `BEYOND`.
+  /// The current problem's figures; the library is named as in `run`. Lines `ok` or `BEYOND`; a ratio to who does not
+  /// agree is 0.
   void faster_than(const std::string& library, double at_least);
   void at_most(const std::string& what, double value, double limit);
 
