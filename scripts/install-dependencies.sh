@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Every Debian 12 package that Aresta needs, in one list, and a command that installs those that are missing.
 #
-#   scripts/install-dependencies.sh [SET...]    sets: build test style bench clang; default: build
+#   scripts/install-dependencies.sh [SET...]    sets: build test style bench node clang; default: build
 #   scripts/install-dependencies.sh --list      print the list
 #
 # Needs root or sudo only when something is missing.
@@ -38,8 +38,10 @@ style   clang-format-14                   the form of the code
 style   clang-tidy-16                     names and common mistakes (14 fails on the ranges of libstdc++ 12)
 style   python3                           scripts/check-layers
 bench   libbenchmark-dev                  micro-benchmarks (-DARESTA_BENCH=ON)
-bench   libcgal-dev                       Surface_mesh, a peer of the complex: GPL, in bench_topology alone
+bench   libcgal-dev                       Surface_mesh, Nef polyhedra, corefinement: peers, GPL, in bench/ alone
 bench   libopenmesh-dev                   the same, BSD-3-Clause
+node    nodejs                            runs manifold-3d, a peer of set operations (bench/fragment)
+node    npm                               installs it; asked for where there is none (Node from elsewhere brings it)
 clang   clang-16                          the second compiler (preset clang-16)
 clang   libclang-rt-16-dev                sanitizers and libFuzzer for it (preset fuzz)
 '
@@ -53,9 +55,9 @@ fi
 missing=
 for wanted in "$@"; do
   case $wanted in
-    build | test | style | bench | clang) ;;
+    build | test | style | bench | node | clang) ;;
     *)
-      echo "install-dependencies: there is no set '$wanted'; the sets are: build test style bench clang" >&2
+      echo "install-dependencies: there is no set '$wanted'; the sets are: build test style bench node clang" >&2
       exit 2
       ;;
   esac
