@@ -19,6 +19,7 @@ build   libocct-modeling-data-dev         OCCT: NURBS curves and surfaces, B-rep
 build   libocct-modeling-algorithms-dev   OCCT: intersections, general fuse, measures to compare with
 build   libocct-data-exchange-dev         OCCT: STEP and IGES
 build   libocct-ocaf-dev                  OCCT: names and colours in STEP files
+build   libfontconfig-dev                 what the libraries of OCAF ask to be linked with
 build   libeigen3-dev                     linear algebra
 build   libtbb-dev                        threads
 build   netgen-headers                    Netgen: tetrahedra for several regions (the C++ interface)

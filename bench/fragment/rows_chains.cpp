@@ -27,7 +27,7 @@ void run_manifold(Table& table, const std::function<Chain()>& make) {
 void sphere_rows(Table& table) {
   for (const std::uint32_t n : {7u, 22u, 71u, 224u}) {
     table.begin("spheres " + std::to_string(20 * n * n), 0);
-    table.run(own, [&] { return chain_with_aresta(two_spheres(n)); });
+    table.run(own, [&] { return meshes_with_aresta(two_spheres(n)); });
     table.run(corefinement, [&] { return chain_with_corefinement(two_spheres(n)); });
     run_manifold(table, [&] { return two_spheres(n); });
     if (n < 71) continue;
