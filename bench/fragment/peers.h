@@ -27,6 +27,8 @@ std::string cgal_version();
 
 /// boolean(), regularised, all solids of a step in one group.
 Answer chain_with_aresta(const Chain& chain);
+/// The operands' triangles combined as meshes, without a complex.
+Answer meshes_with_aresta(const Chain& chain);
 /// BRepAlgoAPI_Cut and _Fuse.
 Answer chain_with_occt(const Chain& chain);
 /// The solids of a step as one Nef polyhedron.
