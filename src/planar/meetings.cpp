@@ -25,13 +25,13 @@ class Meeting {
         points_(entities.points),
         grid_(tolerance_, 2 * points_.size()),
         precision_(tolerance_ / 1024),
-        edge_is_split_(entities.edge_count(), false),
         face_has_vertices_(entities.face_count(), false) {
     for (const Vec3 p : points_) grid_.add(p);
     std::vector<Box3> boxes(in_.boxes);
     for (Box3& b : boxes) b = b.grown(tolerance_);
     faces_ = BoxTree(std::move(boxes));
     find_wires();
+    find_corners();
     for (const auto& [edge, vertex] : in_.vertex_on_edge) put_on_edge(vertex, edge);
     for (const auto& [face, vertex] : in_.vertex_in_face) put_in_face(vertex, face);
   }
@@ -62,7 +62,8 @@ class Meeting {
     if (in_.shape.edges[edge][0] == vertex || in_.shape.edges[edge][1] == vertex) return false;
     if (!on_edge_known_.insert(edge, vertex)) return false;
     on_edge_.emplace_back(edge, vertex);
-    edge_is_split_[edge] = true;
+    if (vertex >= split_edges_.size()) split_edges_.resize(points_.size());
+    split_edges_[vertex].push_back(edge);
     return true;
   }
 
@@ -75,14 +76,25 @@ class Meeting {
 
   bool is_on_edge(Index vertex, Index edge) const {
     return in_.shape.edges[edge][0] == vertex || in_.shape.edges[edge][1] == vertex ||
-           (edge_is_split_[edge] && on_edge_known_.contains(edge, vertex));
+           (is_split_vertex(vertex) && on_edge_known_.contains(edge, vertex));
+  }
+
+  bool is_split_vertex(Index vertex) const { return vertex < split_edges_.size() && !split_edges_[vertex].empty(); }
+
+  bool is_on_boundary(Index vertex, Index face) const {
+    if (vertex < corner_faces_.size()) {
+      const auto faces = corner_faces_[vertex];
+      if (std::binary_search(faces.begin(), faces.end(), face)) return true;
+    }
+    if (!is_split_vertex(vertex)) return false;
+    return std::any_of(split_edges_[vertex].begin(), split_edges_[vertex].end(), [&](Index e) {
+      const auto faces = in_.faces_of_edge[e];
+      return std::binary_search(faces.begin(), faces.end(), face);
+    });
   }
 
   bool is_on_face(Index vertex, Index face) const {
-    for (const Index c : in_.coedges_of(face)) {
-      if (is_on_edge(vertex, c / 2)) return true;
-    }
-    return face_has_vertices_[face] && in_face_known_.contains(face, vertex);
+    return is_on_boundary(vertex, face) || (face_has_vertices_[face] && in_face_known_.contains(face, vertex));
   }
 
   /// The vertex goes where it lies relative to a face whose plane is near.
@@ -152,6 +164,15 @@ class Meeting {
       boxes.push_back(edge_box(e));
     }
     wires_ = BoxTree(std::move(boxes));
+  }
+
+  void find_corners() {
+    std::vector<IndexPair> pairs;
+    pairs.reserve(in_.shape.coedges.size());
+    for (Index f = 0; f < in_.face_count(); ++f) {
+      for (const Index c : in_.coedges_of(f)) pairs.emplace_back(in_.shape.edges[c / 2][c % 2], f);
+    }
+    corner_faces_ = group(points_.size(), pairs);  // by rising face
   }
 
   Box3 edge_box(Index e) const {
@@ -272,7 +293,9 @@ class Meeting {
   /// An edge of a face that nobody vouches for against the others.
   void cross_own_face(Index e, Index f) {
     if (in_.coedges_of(f).size() <= 3) return;
-    for (const Index c : in_.coedges_of(f)) place_on_segment(in_.shape.edges[c / 2][c % 2], e);
+    places_.edges_near(f, edge_box(e), [&](Index h) {
+      for (const Index v : in_.shape.edges[h]) place_on_segment(v, e);
+    });
     cross_in_plane(e, f);
   }
 
@@ -357,12 +380,7 @@ class Meeting {
     on = std::move(with_ends);
 
     // What turned out to lie on the boundary is no longer inside.
-    std::erase_if(in_face_, [&](const IndexPair& pair) {
-      for (const Index c : in_.coedges_of(pair.first)) {
-        if (is_on_edge(pair.second, c / 2)) return true;
-      }
-      return false;
-    });
+    std::erase_if(in_face_, [&](const IndexPair& pair) { return is_on_boundary(pair.second, pair.first); });
     result_.vertices_in_face = group(in_.face_count(), in_face_);
 
     std::vector<IndexPair> pairs;
@@ -608,7 +626,9 @@ class Meeting {
   std::vector<Vec3> points_;
   PointGrid grid_;
   double precision_;  // of new places
-  std::vector<bool> edge_is_split_, face_has_vertices_;
+  std::vector<bool> face_has_vertices_;
+  Lists corner_faces_;                           // per vertex of the entities, sorted
+  std::vector<std::vector<Index>> split_edges_;  // per vertex: edges that it lies inside
   BoxTree faces_, wires_;
   std::vector<Index> wire_edges_;
   std::vector<IndexPair> on_edge_, in_face_;  // (edge, vertex), (face, vertex)
