@@ -13,6 +13,7 @@ namespace aresta::planar {
 namespace {
 
 constexpr double nearly_parallel = 1e-3;  // sine of the angle between planes that are looked at twice
+constexpr std::size_t few_segments = 8;   // in a face: compared two by two
 constexpr int most_rounds = 32;           // of segments and their crossings; two are the rule
 
 class Meeting {
@@ -529,7 +530,7 @@ class Meeting {
 
   void cross_in_face(Index f, std::span<const Index> segments) {
     const std::size_t count = segments.size();
-    if (count > 16) {
+    if (count > few_segments) {
       std::vector<Box3> boxes(count);
       for (std::size_t i = 0; i < count; ++i) boxes[i] = piece_box(segments[i]);
       const BoxTree tree(boxes);
@@ -538,10 +539,12 @@ class Meeting {
           if (j > i) cross_two_segments(f, segments[i], segments[j]);
         });
       }
-    } else {
-      for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t j = i + 1; j < count; ++j) cross_two_segments(f, segments[i], segments[j]);
-      }
+      for_each_vertex_of(
+          f, [&](Index v) { tree.overlapping(box_of(points_[v]), [&](Index i) { put_on_segment(v, segments[i]); }); });
+      return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = i + 1; j < count; ++j) cross_two_segments(f, segments[i], segments[j]);
     }
     for_each_vertex_of(f, [&](Index v) {
       for (const Index s : segments) put_on_segment(v, s);
