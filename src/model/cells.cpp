@@ -3,15 +3,17 @@
 
 #include <algorithm>
 
-#include "base/union_find.h"
+#include "math/directions.h"
 #include "model/measure.h"
 #include "model/query.h"
+#include "topology/loose_parts.h"
 
 namespace aresta {
 
 namespace {
 
 constexpr std::uint32_t none = Incidence::none;
+constexpr int most_rays = 24;
 
 struct Component {
   std::vector<std::uint32_t> uses;
@@ -26,21 +28,10 @@ std::array<double, 3> as_array(Vec3 p) {
   return {p.x, p.y, p.z};
 }
 
-/// Fixed directions for rays, none of them special for boxes and axes; unit vectors.
-std::vector<Vec3> ray_directions() {
-  std::vector<Vec3> directions;
-  for (int i = 0; i < 24; ++i) {  // golden spiral, turned by an irrational amount
-    const double z = 1 - (2 * i + 1) / 24.0, angle = 2.399963229728653 * i + 0.7390851332151607;
-    const double r = std::sqrt(1 - z * z);
-    directions.push_back(normalized(Vec3{r * std::cos(angle) + 0.01337, r * std::sin(angle) - 0.00931, z + 0.00717}));
-  }
-  return directions;
-}
-
 class Nesting {
  public:
   Nesting(const Model& model, const Incidence& incidence, const Context& context)
-      : model_(model), in_(incidence), context_(context), directions_(ray_directions()) {}
+      : model_(model), in_(incidence), context_(context) {}
 
   Result<Cells> run() {
     ARESTA_CHECK(gather());
@@ -140,7 +131,8 @@ class Nesting {
   Result<std::uint32_t> cell_around(Vec3 p, const Vec3* outward, const std::vector<const Component*>& candidates,
                                     EntityRef what) {
     if (!caster_) caster_.emplace(model_);
-    for (Vec3 direction : directions_) {
+    for (int i = 0; i < most_rays; ++i) {
+      Vec3 direction = general_direction(i, most_rays);
       if (outward != nullptr) {
         const double along = dot(direction, *outward);
         if (std::abs(along) < 0.15) continue;
@@ -175,32 +167,13 @@ class Nesting {
     return found;
   }
 
-  // Wires that hang together without passing through a vertex of a face lie in one cell: one ray for all of them.
   Status place_wires() {
-    std::vector<bool> edge_used(in_.edge_count(), false), vertex_on_face(in_.vertex_count, false);
-    for (const std::uint32_t code : in_.coedges) edge_used[code >> 1] = true;
-    for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
-      if (edge_used[e]) vertex_on_face[in_.edges[e][0]] = vertex_on_face[in_.edges[e][1]] = true;
-    }
-    for (const std::uint32_t v : in_.loop_vertex) {
-      if (v != none) vertex_on_face[v] = true;
-    }
-    UnionFind sets(in_.edge_count());
-    std::vector<std::uint32_t> first(in_.vertex_count, none);
-    for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
-      if (edge_used[e]) continue;
-      for (const std::uint32_t v : in_.edges[e]) {
-        if (vertex_on_face[v]) continue;
-        if (first[v] == none) first[v] = e;
-        sets.unite(first[v], e);
-      }
-    }
+    const std::vector<std::uint32_t> groups = wire_groups(in_);
     cells_.of_edge.assign(in_.edge_count(), none);
     for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
-      if (edge_used[e]) continue;
-      const std::uint32_t root = sets.find(e);
-      if (root != e) {
-        cells_.of_edge[e] = cells_.of_edge[root];
+      if (groups[e] == none) continue;
+      if (groups[e] != e) {
+        cells_.of_edge[e] = cells_.of_edge[groups[e]];
         continue;
       }
       const Vec3 p = model_.edge_point(EdgeId(e), model_.range(EdgeId(e)).at(0.5));
@@ -210,14 +183,8 @@ class Nesting {
   }
 
   Status place_points() {
-    std::vector<bool> used(in_.vertex_count, false);
-    for (const auto& e : in_.edges) used[e[0]] = used[e[1]] = true;
-    for (const std::uint32_t v : in_.loop_vertex) {
-      if (v != none) used[v] = true;
-    }
     cells_.of_vertex.assign(in_.vertex_count, none);
-    for (std::uint32_t v = 0; v < in_.vertex_count; ++v) {
-      if (used[v]) continue;
+    for (const std::uint32_t v : isolated_vertices(in_)) {
       const Vec3 p = model_.point(VertexId(v));
       ARESTA_TRY(cells_.of_vertex[v], cell_around(p, nullptr, cells_with_box_around(p), VertexId(v)));
     }
@@ -227,7 +194,6 @@ class Nesting {
   const Model& model_;
   const Incidence& in_;
   const Context& context_;
-  std::vector<Vec3> directions_;
   std::vector<std::uint32_t> component_of_;  // per face-use
   std::vector<Component> components_;
   std::vector<const Component*> outer_;

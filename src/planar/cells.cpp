@@ -5,9 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include "base/union_find.h"
 #include "math/box_tree.h"
+#include "math/directions.h"
 #include "planar/face_places.h"
+#include "topology/loose_parts.h"
 
 namespace aresta::planar {
 
@@ -22,13 +23,6 @@ struct Component {
   Index first_use = none;
   Index cell = none;
 };
-
-/// Unit vectors on a golden spiral, none of them special for boxes and axes.
-Vec3 ray_direction(int i) {
-  const double z = 1 - (2 * i + 1) / static_cast<double>(most_rays), angle = 2.399963229728653 * i + 0.7390851332151607;
-  const double r = std::sqrt(1 - z * z);
-  return normalized(Vec3{r * std::cos(angle) + 0.01337, r * std::sin(angle) - 0.00931, z + 0.00717});
-}
 
 class Nesting {
  public:
@@ -155,7 +149,7 @@ class Nesting {
   Result<Index> cell_around(Vec3 p, std::span<const Index> candidates, EntityRef what) {
     if (candidates.empty()) return Index{0};
     for (int i = 0; i < most_rays; ++i) {
-      const auto hits = cast(p, ray_direction(i));
+      const auto hits = cast(p, general_direction(i, most_rays));
       if (!hits) continue;
       Index best = none;
       for (const Index k : candidates) {
@@ -187,31 +181,13 @@ class Nesting {
     return found;
   }
 
-  /// Wires that hang together without passing through a vertex of a face lie in one cell: one ray for all of them.
   Status place_wires() {
-    std::vector<bool> edge_used(shape_.edge_count(), false), vertex_on_face(shape_.vertex_count, false);
-    for (const Index code : shape_.coedges) edge_used[code / 2] = true;
-    for (Index e = 0; e < shape_.edge_count(); ++e) {
-      if (edge_used[e]) vertex_on_face[shape_.edges[e][0]] = vertex_on_face[shape_.edges[e][1]] = true;
-    }
-    for (const Index v : shape_.loop_vertex) {
-      if (v != none) vertex_on_face[v] = true;
-    }
-    UnionFind sets(shape_.edge_count());
-    std::vector<Index> first(shape_.vertex_count, none);
-    for (Index e = 0; e < shape_.edge_count(); ++e) {
-      if (edge_used[e]) continue;
-      for (const Index v : shape_.edges[e]) {
-        if (vertex_on_face[v]) continue;
-        if (first[v] == none) first[v] = e;
-        sets.unite(first[v], e);
-      }
-    }
+    const std::vector<Index> groups = wire_groups(shape_);
     cells_.of_edge.assign(shape_.edge_count(), none);
     for (Index e = 0; e < shape_.edge_count(); ++e) {
-      if (edge_used[e]) continue;
-      if (const Index root = sets.find(e); root != e) {
-        cells_.of_edge[e] = cells_.of_edge[root];
+      if (groups[e] == none) continue;
+      if (groups[e] != e) {
+        cells_.of_edge[e] = cells_.of_edge[groups[e]];
         continue;
       }
       ARESTA_CHECK(context_.step(static_cast<double>(e) / shape_.edge_count(), "placing wires"));
@@ -222,14 +198,8 @@ class Nesting {
   }
 
   Status place_points() {
-    std::vector<bool> used(shape_.vertex_count, false);
-    for (const auto& e : shape_.edges) used[e[0]] = used[e[1]] = true;
-    for (const Index v : shape_.loop_vertex) {
-      if (v != none) used[v] = true;
-    }
     cells_.of_vertex.assign(shape_.vertex_count, none);
-    for (Index v = 0; v < shape_.vertex_count; ++v) {
-      if (used[v]) continue;
+    for (const Index v : isolated_vertices(shape_)) {
       const Vec3 p = faces_.points[v];
       ARESTA_TRY(cells_.of_vertex[v], cell_around(p, cells_with_box_around(p), VertexId(v)));
     }

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/union_find.h"
+#include "planar/edge_sets.h"
 #include "planar/point_grid.h"
 
 namespace aresta::planar {
@@ -113,60 +114,48 @@ class Uniting {
   Status unite_faces() {
     const Incidence& in = soup_.shape;
     Incidence& out = result_.shape;
-    PairMap known(in.face_count());  // by a hash of the edges; equal hashes are chained
-    std::vector<Index> next;
+    EdgeSets known(in.face_count());
     std::vector<IndexPair> members, operands;
     for (Index f = 0; f < in.face_count(); ++f) {
-      const Index first_coedge = static_cast<Index>(out.coedges.size()), first_loop = out.loop_count();
-      std::uint64_t hash = 0;
-      for (Index l = in.face_begin[f]; l < in.face_begin[f + 1]; ++l) hash += add_loop(l);
-      ARESTA_TRY(const bool thin, is_thin(f, first_coedge));
-      const auto fresh = static_cast<Index>(next.size());
-      Index same = none, chain = none;
-      if (!thin) {
-        chain = known.find(static_cast<Index>(hash >> 32), static_cast<Index>(hash));
-        for (same = chain; same != none && !same_edges(same, first_coedge); same = next[same]) chain = same;
-      }
-      if (!thin) {
+      const auto first_coedge = static_cast<Index>(out.coedges.size());
+      const Index first_loop = out.loop_count(), fresh = out.face_count();
+      for (Index l = in.face_begin[f]; l < in.face_begin[f + 1]; ++l) add_loop(l);
+      const auto coedges = std::span(std::as_const(out.coedges)).subspan(first_coedge);
+      const bool thin = is_thin(coedges);
+      Index one = none;
+      if (thin) {
+        put_on_edges(coedges);
+      } else {
+        one = known.add(coedges, [&](Index face) { return result_.coedges_of(face); });
+        const bool is_new = one == none;
+        if (is_new) one = fresh;
+        members.emplace_back(one, f);
+        operands.emplace_back(one, soup_.face_operand[f]);
         for (Index l = first_loop; l < out.loop_count(); ++l) {
-          if (out.loop_vertex[l] != none)
-            result_.vertex_in_face.emplace_back(same == none ? fresh : same, out.loop_vertex[l]);
+          if (out.loop_vertex[l] != none) result_.vertex_in_face.emplace_back(one, out.loop_vertex[l]);
+        }
+        if (is_new) {
+          out.close_face();
+          ARESTA_CHECK(add_plane(fresh, f));
+          continue;
         }
       }
-      if (thin || same != none) {
-        out.coedges.resize(first_coedge);
-        out.loop_vertex.resize(first_loop);
-        out.loop_begin.resize(first_loop + 1);
-        if (thin) continue;
-      } else {
-        out.close_face();
-        if (chain == none)
-          known.add(static_cast<Index>(hash >> 32), static_cast<Index>(hash), fresh);
-        else
-          next[chain] = fresh;
-        next.push_back(none);
-        ARESTA_CHECK(add_plane(fresh, f));
-        same = fresh;
-      }
-      members.emplace_back(same, f);
-      operands.emplace_back(same, soup_.face_operand[f]);
+      out.coedges.resize(first_coedge);
+      out.loop_vertex.resize(first_loop);
+      out.loop_begin.resize(first_loop + 1);
     }
-    result_.face_members = group(next.size(), members);
-    result_.face_operands = distinct(next.size(), operands);
+    result_.face_members = group(out.face_count(), members);
+    result_.face_operands = distinct(out.face_count(), operands);
     return {};
   }
 
-  /// The loop without what has shrunk to a point; its share in the hash of the face.
-  std::uint64_t add_loop(Index l) {
+  /// The loop without what has shrunk to a point.
+  void add_loop(Index l) {
     const Incidence& in = soup_.shape;
     Incidence& out = result_.shape;
-    std::uint64_t hash = 0;
     for (Index c = in.loop_begin[l]; c < in.loop_begin[l + 1]; ++c) {
       const Index code = coedge_of_[in.coedges[c] / 2];
-      if (code == none) continue;
-      out.coedges.push_back(code ^ (in.coedges[c] & 1u));
-      std::uint64_t h = (std::uint64_t{code / 2} + 1) * 0x9e3779b97f4a7c15u;
-      hash += (h ^ (h >> 31)) * 0xbf58476d1ce4e5b9u;
+      if (code != none) out.coedges.push_back(code ^ (in.coedges[c] & 1u));
     }
     if (out.coedges.size() > out.loop_begin.back())
       out.close_loop();
@@ -174,29 +163,30 @@ class Uniting {
       out.add_vertex_loop(vertex_of_[in.edges[in.coedges[in.loop_begin[l]] / 2][0]]);
     else
       out.add_vertex_loop(vertex_of_[in.loop_vertex[l]]);
-    return hash;
   }
 
-  /// A face of no more than the tolerance's width: its vertices are noted on its edges.
-  Result<bool> is_thin(Index soup_face, Index first_coedge) {
-    const Incidence& out = result_.shape;
-    if (out.coedges.size() == first_coedge) return true;
-    const auto coedges = std::span(out.coedges).subspan(first_coedge);
-    const Vec3 origin = result_.points[out.edges[coedges[0] / 2][0]];
+  /// No wider than the tolerance?
+  bool is_thin(std::span<const Index> coedges) const {
+    if (coedges.empty()) return true;
+    const Vec3 origin = start_of(coedges[0]);
     Vec3 area;
     double perimeter = 0;
     for (const Index c : coedges) {
-      const auto [a, b] = out.edges[c / 2];
-      const Vec3 s = cross(result_.points[a] - origin, result_.points[b] - origin);
-      area += c % 2 == 0 ? s : -s;
-      perimeter += distance(result_.points[a], result_.points[b]);
+      area += cross(start_of(c) - origin, start_of(c ^ 1u) - origin);
+      perimeter += distance(start_of(c), start_of(c ^ 1u));
     }
-    if (2 * norm(area) > result_.tolerance * perimeter) return false;
+    return 2 * norm(area) <= result_.tolerance * perimeter;
+  }
+
+  Vec3 start_of(Index coedge) const { return result_.points[result_.shape.edges[coedge / 2][coedge % 2]]; }
+
+  /// The vertices of a face that vanishes lie on its edges.
+  void put_on_edges(std::span<const Index> coedges) {
     for (const Index c : coedges) {
-      const auto [a, b] = out.edges[c / 2];
+      const auto [a, b] = result_.shape.edges[c / 2];
       const Vec3 p = result_.points[a], along = result_.points[b] - p;
       for (const Index d : coedges) {
-        const Index v = out.edges[d / 2][d % 2];
+        const Index v = result_.shape.edges[d / 2][d % 2];
         if (v == a || v == b) continue;
         const Vec3 to = result_.points[v] - p;
         const double t = dot(to, along) / norm2(along);
@@ -204,21 +194,6 @@ class Uniting {
           result_.vertex_on_edge.emplace_back(c / 2, v);
       }
     }
-    return true;
-  }
-
-  bool same_edges(Index face, Index first_coedge) {
-    const auto known = result_.coedges_of(face);
-    const auto fresh = std::span(std::as_const(result_.shape.coedges)).subspan(first_coedge);
-    if (known.size() != fresh.size()) return false;
-    const auto sorted = [](std::span<const Index> coedges, std::vector<Index>& edges) {
-      edges.clear();
-      for (const Index c : coedges) edges.push_back(c / 2);
-      std::sort(edges.begin(), edges.end());
-    };
-    sorted(known, scratch_[0]);
-    sorted(fresh, scratch_[1]);
-    return scratch_[0] == scratch_[1];
   }
 
   Status add_plane(Index face, Index soup_face) {
@@ -282,15 +257,9 @@ class Uniting {
   const Soup& soup_;
   Entities result_;
   std::vector<Index> vertex_of_, coedge_of_;
-  std::array<std::vector<Index>, 2> scratch_;
 };
 
 }  // namespace
-
-std::span<const Index> Entities::coedges_of(Index face) const {
-  const Index first = shape.loop_begin[shape.face_begin[face]], last = shape.loop_begin[shape.face_begin[face + 1]];
-  return {shape.coedges.data() + first, last - first};
-}
 
 std::optional<ExactPlane> Entities::exact_plane(Index face) const {
   constexpr std::size_t most = std::size_t{1} << 16;  // that the exact sum takes

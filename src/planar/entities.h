@@ -34,7 +34,7 @@ struct Entities {
   PlaneFaces faces() const { return {points, shape, planes, tolerance}; }
   Index edge_count() const { return shape.edge_count(); }
   Index face_count() const { return shape.face_count(); }
-  std::span<const Index> coedges_of(Index face) const;
+  std::span<const Index> coedges_of(Index face) const { return faces().coedges_of(face); }
   LatticePoint lattice_point(Index vertex) const { return lattice.to_lattice(points[vertex]); }
   /// Through vertices of the face, never without one for a face that is kept; made anew each time.
   std::optional<ExactPlane> exact_plane(Index face) const;

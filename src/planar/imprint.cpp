@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "planar/arrangement.h"
+#include "planar/edge_sets.h"
 #include "planar/face_places.h"
 #include "planar/meetings.h"
 
@@ -31,7 +33,7 @@ class Imprinting {
       if (f % 512 == 0) ARESTA_CHECK(context_.step(0.6 + 0.3 * f / in_.face_count(), "dividing faces"));
       ARESTA_CHECK(divide(f));
     }
-    name();
+    ARESTA_CHECK(name());
     return std::move(out_);
   }
 
@@ -196,58 +198,46 @@ class Imprinting {
   // ---- each face once, and the names ----
 
   /// Faces with the same outer pieces are one: all of them are divided by all that lies in them.
-  void name() {
-    Incidence all = std::move(out_.shape);
-    Incidence& shape = out_.shape = Incidence{};
+  Status name() {
+    const Incidence all = std::exchange(out_.shape, {});
+    Incidence& shape = out_.shape;
     shape.vertex_count = all.vertex_count;
-    shape.edges = std::move(all.edges);
+    shape.edges = all.edges;
     const auto outer = [&](Index f) {
       const Index l = all.face_begin[f];
       return std::span(all.coedges).subspan(all.loop_begin[l], all.loop_begin[l + 1] - all.loop_begin[l]);
     };
-    PairMap known(all.face_count());
-    std::vector<Index> next(all.face_count(), none), one(all.face_count(), none);
+    const auto coedge_count = [&](Index f) {
+      return all.loop_begin[all.face_begin[f + 1]] - all.loop_begin[all.face_begin[f]];
+    };
+    EdgeSets known(all.face_count());
+    std::vector<Index> kept;  // of `all`
     std::vector<IndexPair> names;
     const auto edges = static_cast<Index>(soup_.shape.edge_count()), vertices = static_cast<Index>(soup_.points.size());
-    std::array<std::vector<Index>, 2> sorted;
-    const auto sort = [&](Index f, std::vector<Index>& codes) {
-      codes.clear();
-      for (const Index code : outer(f)) codes.push_back(code / 2);
-      std::sort(codes.begin(), codes.end());
-    };
-    Index count = 0;
     for (Index f = 0; f < all.face_count(); ++f) {
-      std::uint64_t hash = 0;
-      for (const Index code : outer(f)) {
-        const std::uint64_t h = (std::uint64_t{code / 2} + 1) * 0x9e3779b97f4a7c15u;
-        hash += (h ^ (h >> 31)) * 0xbf58476d1ce4e5b9u;
-      }
-      const Index head = known.add(static_cast<Index>(hash >> 32), static_cast<Index>(hash), f);
-      Index same = none;
-      if (head != f) {
-        sort(f, sorted[0]);
-        Index last = head;
-        for (Index g = head; g != none; last = g, g = next[g]) {
-          sort(g, sorted[1]);
-          if (sorted[0] == sorted[1]) {
-            same = g;
-            break;
-          }
-        }
-        if (same == none) next[last] = f;
-      }
-      if (same != none) {
-        one[f] = one[same];
-      } else {
-        one[f] = count++;
+      Index one = known.add(outer(f), [&](Index i) { return outer(kept[i]); });
+      if (one == none) {
+        one = static_cast<Index>(kept.size());
+        kept.push_back(f);
         copy_face(all, f);
         out_.planes.push_back(in_.planes[face_of_[f]]);
+      } else if (coedge_count(f) != coedge_count(kept[one])) {
+        return divided_differently(face_of_[f], face_of_[kept[one]]);
       }
-      for (const Index member : in_.face_members[face_of_[f]]) names.emplace_back(one[f], vertices + edges + member);
+      for (const Index member : in_.face_members[face_of_[f]]) names.emplace_back(one, vertices + edges + member);
     }
-    out_.face_names = group(count, names);
+    out_.face_names = group(kept.size(), names);
     name_edges(vertices, edges);
     name_vertices(vertices, edges);
+    return {};
+  }
+
+  Error divided_differently(Index f, Index g) const {
+    const Vec3 p = in_.planes[f].origin;
+    return Error{errors::planar_unresolved,
+                 "pieces of two faces have one outline but not the same in it",
+                 {FaceId(in_.face_members[f].front()), FaceId(in_.face_members[g].front())},
+                 {{p.x, p.y, p.z}}};
   }
 
   void copy_face(const Incidence& all, Index f) {

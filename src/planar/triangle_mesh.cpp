@@ -6,9 +6,11 @@
 #include <limits>
 
 #include "base/union_find.h"
+#include "math/directions.h"
 #include "math/plane_triangulation.h"
 #include "planar/active_triangles.h"
 #include "planar/cells.h"
+#include "planar/edge_sets.h"
 #include "planar/imprint.h"
 #include "topology/polygon_mesh.h"
 
@@ -31,10 +33,7 @@ double volume6(const TriangleMesh& mesh, Vec3 o) {
 /// A sum over directed edges that is zero when each runs as often one way as the other, and else next to never.
 std::uint64_t boundary_hash(const TriangleMesh& mesh) {
   const auto edge = [](Index a, Index b) {
-    const std::uint64_t low = std::min(a, b), high = std::max(a, b);
-    std::uint64_t h = (high << 32 | low) * 0x9e3779b97f4a7c15u;
-    h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9u;
-    h ^= h >> 32;
+    const std::uint64_t h = edge_hash(std::uint64_t{std::max(a, b)} << 32 | std::min(a, b));
     return a < b ? h : 0 - h;
   };
   std::uint64_t sum = 0;
@@ -314,9 +313,7 @@ class Combining {
     const TriangleMesh& other = *mesh_[1 - operand];
     constexpr int most_rays = 16;
     for (int i = 0; i < most_rays; ++i) {
-      const double z = 1 - (2 * i + 1) / static_cast<double>(most_rays), angle = 2.399963229728653 * i + 0.7390851;
-      const double r = std::sqrt(1 - z * z);
-      const Vec3 direction{r * std::cos(angle), r * std::sin(angle), z};
+      const Vec3 direction = general_direction(i, most_rays);
       bool inside = false, doubtful = false;
       for (const auto& [a, b, c] : other.triangles) {
         const int hit = crosses(other.points[a] - p, other.points[b] - p, other.points[c] - p, direction);

@@ -28,17 +28,6 @@ if ! { sh "$ARESTA_SOURCE/scripts/install-dependencies.sh" clang &&
   exit 0
 fi
 for target in groups meshes; do
-  mkdir -p "found/$target" "wrong/$target"
-  "$build/tests/fuzz/planar_${target}_fuzz" -seed="$ARESTA_SEED" -max_total_time="$seconds" -max_len=160 -len_control=0 \
-    -timeout=20 -rss_limit_mb=3000 -print_final_stats=1 -artifact_prefix="wrong/$target/" "found/$target" \
-    >"$target.log" 2>&1 || true
-  wrong=$(find "wrong/$target" -type f ! -name 'slow-unit-*' | wc -l)
-  if [ "$wrong" != 0 ] || ! grep -q '^Done ' "$target.log"; then
-    tail -n 40 "$target.log"
-    [ "$wrong" != 0 ] || wrong=1
-  fi
-  done=$(number "$target.log" number_of_executed_units)
-  refused=$(number "$target.log" refused)
-  echo "fuzz_planar $target libFuzzer: seed $ARESTA_SEED, cases ${done:-0}, wrong $wrong, refused ${refused:-0}, skipped 0," \
-    "coverage: $seconds s, $(find "found/$target" -type f | wc -l) inputs that reach something new"
+  "$ARESTA_SOURCE/scripts/run-fuzzer.sh" fuzz_planar $target "$build/tests/fuzz/planar_${target}_fuzz" "$seconds" inputs \
+    -max_len=160 -len_control=0
 done

@@ -36,18 +36,8 @@ fi
 "$ARESTA_BUILD/tests/fuzz/mutate_topology" corpus "$OUT/seeds"
 mkdir -p seeds/script
 for format in dump json notation script; do
-  mkdir -p "found/$format" "wrong/$format"
   # A script needs some length before anything is in it.
   if [ $format = script ]; then sizes="-max_len=400 -len_control=0"; else sizes=-max_len=6000; fi
-  "$build/tests/fuzz/${format}_fuzz" -seed="$ARESTA_SEED" -max_total_time="$seconds" $sizes -timeout=20 -rss_limit_mb=3000 \
-    -print_final_stats=1 -artifact_prefix="wrong/$format/" "found/$format" "seeds/$format" >"$format.log" 2>&1 || true
-  wrong=$(find "wrong/$format" -type f ! -name 'slow-unit-*' | wc -l)
-  if [ "$wrong" != 0 ] || ! grep -q '^Done ' "$format.log"; then
-    tail -n 40 "$format.log"
-    [ "$wrong" != 0 ] || wrong=1
-  fi
-  done=$(number "$format.log" number_of_executed_units)
-  refused=$(number "$format.log" refused)
-  echo "fuzz_topology $format libFuzzer: seed $ARESTA_SEED, cases ${done:-0}, wrong $wrong, refused ${refused:-0}, skipped 0," \
-    "coverage: $seconds s, $(find "found/$format" -type f | wc -l) texts that reach something new"
+  "$ARESTA_SOURCE/scripts/run-fuzzer.sh" fuzz_topology $format "$build/tests/fuzz/${format}_fuzz" "$seconds" texts $sizes \
+    "seeds/$format"
 done

@@ -6,6 +6,7 @@
 
 #include "planar/cells.h"
 #include "planar/imprint.h"
+#include "planar/meshes.h"
 #include "planar/soups.h"
 #include "planar/triangle_mesh.h"
 
@@ -41,17 +42,9 @@ class Numbers {
   std::size_t at_ = 0;
 };
 
-void add_box(TriangleMesh& mesh, Vec3 a, Vec3 b) {
-  const Vec3 low{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
-      high{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-  const auto first = static_cast<Index>(mesh.points.size());
-  for (int i = 0; i < 8; ++i)
-    mesh.points.push_back({i % 2 != 0 ? high.x : low.x, i / 2 % 2 != 0 ? high.y : low.y, i / 4 != 0 ? high.z : low.z});
-  constexpr Index sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  for (const auto& s : sides) {
-    mesh.triangles.push_back({first + s[0], first + s[1], first + s[2]});
-    mesh.triangles.push_back({first + s[0], first + s[2], first + s[3]});
-  }
+std::pair<Vec3, Vec3> low_and_high(Vec3 a, Vec3 b) {
+  return {{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+          {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
 }
 
 void add_tetrahedron(TriangleMesh& mesh, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
@@ -66,7 +59,8 @@ TriangleMesh read_mesh(Numbers& in) {
   TriangleMesh mesh;
   if (in.below(2) == 0) {
     const Vec3 a = in.point();
-    add_box(mesh, a, in.point());
+    const auto [low, high] = low_and_high(a, in.point());
+    planar::test::add_box(mesh, low, high);
   } else {
     const Vec3 a = in.point(), b = in.point(), c = in.point();
     add_tetrahedron(mesh, a, b, c, in.point());
@@ -86,12 +80,6 @@ bool is_closed(const TriangleMesh& mesh) {
     if (count != 0) return false;
   }
   return true;
-}
-
-double volume(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (const auto& [i, j, k] : mesh.triangles) sum += dot(mesh.points[i], cross(mesh.points[j], mesh.points[k]));
-  return sum / 6;
 }
 
 std::string conserved(const Soup& soup, const Imprinted& pieces) {
@@ -150,8 +138,7 @@ Verdict check_planar_groups(std::string_view bytes) {
       const Vec3 a = in.point(), b = in.point();
       switch (in.below(4)) {
         case 0: {
-          const Vec3 low{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
-              high{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+          const auto [low, high] = low_and_high(a, b);
           maker.box(low, high);
           break;
         }
@@ -195,7 +182,7 @@ Verdict check_planar_meshes(std::string_view bytes) {
     volumes[static_cast<std::size_t>(operation)] = result->volume;
   }
   verdict.accepted = true;
-  const double one = volume(a), two = volume(b), allowed = 1e3 * tolerance;
+  const double one = planar::test::volume(a), two = planar::test::volume(b), allowed = 1e3 * tolerance;
   if (std::abs(volumes[0] + volumes[1] - one - two) > allowed || std::abs(volumes[1] + volumes[2] - one) > allowed)
     verdict.wrong = "volumes do not fit: union " + std::to_string(volumes[0]) + ", intersection " +
                     std::to_string(volumes[1]) + ", difference " + std::to_string(volumes[2]) + " of " +

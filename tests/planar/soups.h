@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "planar/box.h"
 #include "planar/imprint.h"
 
 namespace aresta::planar::test {
@@ -40,14 +41,12 @@ class SoupMaker {
 
   SoupMaker& box(Vec3 low, Vec3 high) {
     const auto first = static_cast<Index>(soup_.points.size());
-    for (int i = 0; i < 8; ++i)
-      vertex({i % 2 != 0 ? high.x : low.x, i / 2 % 2 != 0 ? high.y : low.y, i / 4 != 0 ? high.z : low.z});
-    constexpr int sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const Vec3 p : aresta::test::box_corners(low, high)) vertex(p);
     std::vector<IndexPair> known;
     const auto first_edge = soup_.shape.edge_count();
-    for (const auto& side : sides) {
-      for (int i = 0; i < 4; ++i) {
-        const Index a = first + static_cast<Index>(side[i]), b = first + static_cast<Index>(side[(i + 1) % 4]);
+    for (const auto& side : aresta::test::box_sides) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Index a = first + side[i], b = first + side[(i + 1) % 4];
         std::size_t e = 0;
         while (e < known.size() && known[e] != IndexPair{a, b} && known[e] != IndexPair{b, a}) ++e;
         if (e == known.size()) {

@@ -9,19 +9,14 @@
 
 #include "math/transform.h"
 #include "planar/active_triangles.h"
+#include "planar/meshes.h"
 
 namespace aresta::planar {
 namespace {
 
 TriangleMesh box(Vec3 low, Vec3 high) {
   TriangleMesh mesh;
-  for (int i = 0; i < 8; ++i)
-    mesh.points.push_back({i % 2 != 0 ? high.x : low.x, i / 2 % 2 != 0 ? high.y : low.y, i / 4 != 0 ? high.z : low.z});
-  constexpr Index sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  for (const auto& s : sides) {
-    mesh.triangles.push_back({s[0], s[1], s[2]});
-    mesh.triangles.push_back({s[0], s[2], s[3]});
-  }
+  test::add_box(mesh, low, high);
   return mesh;
 }
 
@@ -53,11 +48,7 @@ TriangleMesh sphere(int n, Vec3 centre, double radius) {
   return mesh;
 }
 
-double volume(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (const auto& [i, j, k] : mesh.triangles) sum += dot(mesh.points[i], cross(mesh.points[j], mesh.points[k]));
-  return sum / 6;
-}
+using test::volume;
 
 double volume(const TriangleMesh& a, const TriangleMesh& b, MeshOperation operation) {
   const auto result = combine(a, b, operation, {}, {});

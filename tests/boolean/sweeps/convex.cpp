@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "planar/box.h"
+
 namespace aresta::sweeps {
 
 namespace {
@@ -80,10 +82,8 @@ Convex clip(const Convex& solid, Point origin, Point normal) {
 }  // namespace
 
 Convex hexahedron(const std::array<Vec3, 8>& corners) {
-  constexpr std::size_t sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   Convex solid;
-  for (const auto& side : sides) {
+  for (const auto& side : test::box_sides) {
     auto& face = solid.faces.emplace_back();
     for (const std::size_t i : side) face.push_back({corners[i].x, corners[i].y, corners[i].z});
   }

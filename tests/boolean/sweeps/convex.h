@@ -21,7 +21,7 @@ struct Convex {
   std::vector<std::vector<Point>> faces;
 };
 
-/// Corner i has the high x when bit 0 of i is set, the high y for bit 1, the high z for bit 2.
+/// Corners as in planar/box.h.
 Convex hexahedron(const std::array<Vec3, 8>& corners);
 Real volume(const Convex& solid);
 Real area(const Convex& solid);

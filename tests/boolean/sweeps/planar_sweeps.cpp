@@ -19,6 +19,7 @@
 #include "boolean/sweeps/convex.h"
 #include "math/transform.h"
 #include "model/measure.h"
+#include "planar/box.h"
 
 using namespace aresta;
 using namespace aresta::sweeps;
@@ -28,13 +29,6 @@ namespace {
 using Corners = std::array<Vec3, 8>;
 using ModelPtr = std::shared_ptr<const Model>;
 
-Corners block(Vec3 low, Vec3 high) {
-  Corners corners;
-  for (std::size_t i = 0; i < 8; ++i)
-    corners[i] = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z};
-  return corners;
-}
-
 Corners moved(const Corners& corners, const Transform& motion) {
   Corners result;
   for (std::size_t i = 0; i < 8; ++i) result[i] = motion.point(corners[i]);
@@ -42,12 +36,10 @@ Corners moved(const Corners& corners, const Transform& motion) {
 }
 
 Result<Model> to_model(const Corners& corners) {
-  constexpr std::size_t sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   ModelBuilder b;
   for (const Vec3 p : corners) b.add_vertex(p);
   std::map<std::pair<std::size_t, std::size_t>, EdgeId> edges;
-  for (const auto& side : sides) {
+  for (const auto& side : test::box_sides) {
     const Vec3 normal = normalized(cross(corners[side[2]] - corners[side[0]], corners[side[3]] - corners[side[1]]));
     b.begin_face(b.add_surface(Plane{Frame::along(corners[side[0]], normal)}), false);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -147,7 +139,7 @@ void sweep_coordinates(const char* family, std::size_t count, std::uint64_t seed
   const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [low, high] = positions[i % std::size(positions)];
-    Corners a = block({0, 0, 0}, {2, 2, 2}), b = block(low, high);
+    Corners a = test::box_corners({0, 0, 0}, {2, 2, 2}), b = test::box_corners(low, high);
     const double tolerance = 1e-9 * norm(Vec3{2, 2, 2});
     const bool turned = i % 3 == 2;  // then no coordinate is a round one
     const Transform motion = turned ? Transform::rotation(below(360), {1.0 + below(5), 1.0 + below(5), 1.0 + below(5)})
@@ -177,7 +169,7 @@ void sweep_coordinates(const char* family, std::size_t count, std::uint64_t seed
 
 void near_copies() {
   Tally turned, shifts, walls;
-  const Corners cube = block({0, 0, 0}, {1, 1, 1});
+  const Corners cube = test::box_corners({0, 0, 0}, {1, 1, 1});
   for (int k = 1; k <= 15; ++k) {
     const double e = std::pow(10.0, -k);
     const std::string by = " by 1e-" + std::to_string(k);
@@ -186,8 +178,8 @@ void near_copies() {
              moved(cube, Transform::rotation(e * 57.29577951308232, {1, 2, 3}, {0.5, 0.5, 0.5})), turned);
     try_pair("shifted" + by, cube, moved(cube, Transform::translation(e * normalized(Vec3{1, 2, 3}))), shifts);
     try_pair("shifted along x" + by, cube, moved(cube, Transform::translation({e, 0, 0})), shifts);
-    if (k <= 8) try_pair("a wall of" + by, cube, block({0, 0, 0.5}, {1, 1, 0.5 + e}), walls);
-    if (k <= 8) try_pair("all but a wall of" + by, cube, block({0, 0, e}, {1, 1, 1}), walls);
+    if (k <= 8) try_pair("a wall of" + by, cube, test::box_corners({0, 0, 0.5}, {1, 1, 0.5 + e}), walls);
+    if (k <= 8) try_pair("all but a wall of" + by, cube, test::box_corners({0, 0, e}, {1, 1, 1}), walls);
   }
   print("turned copies", 0, turned, "1e-1 to 1e-15 rad about (1, 2, 3)");
   print("shifted copies", 0, shifts, "1e-1 to 1e-15");
