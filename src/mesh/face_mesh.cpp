@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/errors.h"
 #include "math/plane_triangulation.h"
+#include "mesh/errors.h"
 #include "mesh/remesh.h"
 
 namespace aresta::mesh {
