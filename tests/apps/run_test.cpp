@@ -181,7 +181,7 @@ TEST(Run, AnInterruptSentTwiceIsOne) {
 TEST(Run, AnInterruptStopsALongOperation) {
   const Shell shell("apps_interrupt_operation");
   put(shell.folder() / "long.ars",
-      "x = fragment(grid(block(1, 1, 1), n=(16, 16, 16), step=(1, 1, 1)))\nexport(x, 'x.brep')\n");
+      "x = fragment(grid(cylinder(0.7, 1), n=(12, 12, 12), step=(1, 1, 1)))\nexport(x, 'x.brep')\n");  // half a minute
   const Outcome o = shell("'" + test::program().string() + "' run long.ars & p=$!; sleep 1; kill -INT $p; wait $p");
   EXPECT_EQ(o.status, 130) << o.err;
   EXPECT_EQ(shell.files(), "long.ars\n") << "nothing half-written is left";
